@@ -33,6 +33,7 @@ fn child_window() {
         preferences,
         images,
         place,
+        ..
     } = shell::restore(Some(&path));
     let place = place.expect("a workspace of its own");
     let keep = |app: &App, preferences: &Preferences| {

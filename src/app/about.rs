@@ -12,7 +12,8 @@ use super::{
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
-    io::many::capitalised,
+        io::many::capitalised,
+    languages::said,
     measurements::{Figure, counts_sign},
     spectrum::{Kind, Sampled},
 };
@@ -40,12 +41,12 @@ impl About {
         let own = Some(entry).filter(|entry| entry.shelf().is_none());
         match own.and_then(|entry| counts_sign(&entry.spectrum)) {
             Some(sign) if sign.is_certain => Self {
-                about: COUNTS.to_owned(),
+                about: said(COUNTS).to_owned(),
                 ..words
             },
             Some(sign) => Self {
                 kelvin: kelvin_of(entry),
-                about: format!("These may be counts, not light: {}.", sign.why),
+                about: tr!("These may be counts, not light: {why}.", why = sign.why),
                 ..words
             },
             None => Self {
@@ -68,9 +69,9 @@ impl About {
         let what = what.or(table.map(|table| &table.what));
         Self {
             name: entry.name().to_owned(),
-            what: what.cloned().unwrap_or_default(),
+            what: what.map_or_else(String::new, |what| translated(what).into_owned()),
             kelvin: None,
-            about: item.map_or_else(String::new, |item| item.about.clone()),
+            about: item.map_or_else(String::new, |item| translated(&item.about).into_owned()),
             table: table_words(entry),
         }
     }
@@ -122,41 +123,42 @@ fn doubt_words(entry: &Entry) -> String {
     if told.is_empty() {
         return String::new();
     }
-    let scans = entry.measured.as_ref().and_then(|of| of.scans);
-    let of = match scans {
-        Some(scans) if scans > 1 => format!(" ({scans} scans)"),
-        _ => String::new(),
-    };
-    format!("{}{of}.", told.join(", "))
+        let figures = told.join(", ");
+    match entry.measured.as_ref().and_then(|of| of.scans) {
+        Some(scans) if scans > 1 => tr!("{figures} ({scans} scans).", figures, scans),
+        _ => format!("{figures}."),
+    }
 }
 
 fn table_words(entry: &Entry) -> String {
     if is_made(&entry.key) {
-        return "Made by this program".to_owned();
+        return said!("Made by this program").to_owned();
     }
     let steps = steps_words(&entry.spectrum.samples);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
-            let from = table.from_nm.map(|nm| format!(" from {nm} nm data"));
-            let of = capitalised(&table.of);
-            format!("{of}, {steps}{}", from.unwrap_or_default())
+                        let table_of = capitalised(&table.of);
+            match table.from_nm {
+                Some(nm) => tr!("{table_of}, {steps} from {nm} nm data", table_of, steps, nm),
+                None => format!("{table_of}, {steps}"),
+            }
         }
         None if entry.spectrum.source.is_empty() => String::new(),
         None if entry.spectrum.source.starts_with("made ") => {
             format!("{}, {steps}", capitalised(&entry.spectrum.source))
         }
-        None => format!("From {}, {steps}", entry.spectrum.source),
+        None => tr!("From {source}, {steps}", source = entry.spectrum.source, steps),
     }
 }
 
 /// "1 nm", "0.5 to 1 nm".
 fn steps_words(samples: &Sampled) -> String {
     if samples.has_even_steps() {
-        return format!("{} nm", short(samples.step_nm()));
+                return format!("{} nm", short(samples.step_nm()));
     }
     let steps = samples.nm().windows(2).map(|w| w[1] - w[0]);
     let [least, most] = extent(steps).unwrap_or_default();
-    format!("{} to {} nm", short(least), short(most))
+        tr!("{least} to {most} nm", least = short(least), most = short(most))
 }
 
 /// The family of an entry: of a shipped one as it is written, of the user's own light as far as

@@ -15,6 +15,7 @@
 //! splib07a: 386, 420, 451, 486, 538, 638 nm), hence the wide reach. Neodymium's are the bands of
 //! didymium glass that praseodymium has no part in.
 
+use crate::languages::fixed;
 use crate::spectrum::{Band, Basis, Kind};
 
 use super::{entry::Entry, line_names::LineName};
@@ -110,9 +111,11 @@ const HOLMIUM: Family = Family {
     kinds: &[Kind::Reflectance, Kind::Transmittance],
 };
 
+const NEODYMIUM_TITLE: &str = "neodymium";
+
 /// Neodymium in glass: a filter, or a lamp with a bulb of it.
 const NEODYMIUM: Family = Family {
-    title: "neodymium",
+    title: NEODYMIUM_TITLE,
     are_bands: true,
     features: &[
         line("Nd band 512", 512.0, 0.01),
@@ -361,16 +364,27 @@ impl DarkFamily {
         // for each order, Fourier's a whole one.
         let turns = basis.half_turns() as f64;
         let order = (curve.band.length_nm() / (turns * narrowest)).ceil();
-        let more = if order.is_finite() {
-            format!(", from about {order:.0} waves on")
-        } else {
-            String::new()
-        };
-        Some(format!(
-            "The dips of {} are bands, not lines, and lines do not fit them. More waves follow \
-             them{more}.",
-            self.title
-        ))
+                let order = order.is_finite().then(|| fixed(order, 0));
+        Some(match (self.title, order) {
+            (NEODYMIUM_TITLE, Some(order)) => tr!(
+                "The dips of neodymium are bands, not lines, and lines do not fit them. More waves \
+                 follow them, from about {order} waves on.",
+                order
+            ),
+            (NEODYMIUM_TITLE, None) => tr!(
+                "The dips of neodymium are bands, not lines, and lines do not fit them. More waves \
+                 follow them."
+            ),
+            (_, Some(order)) => tr!(
+                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More waves \
+                 follow them, from about {order} waves on.",
+                order
+            ),
+            (_, None) => tr!(
+                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More waves \
+                 follow them."
+            ),
+        })
     }
 }
 

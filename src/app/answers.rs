@@ -1,6 +1,7 @@
 //! What a person wants to know of a model at first sight, in words and few figures: can one see
 //! the difference, how few numbers are they, from which order on is it hard to see.
 
+use crate::languages::{fixed, signed};
 use super::{
     document::FIRST_PATCH_SET,
     line_names::LineName,
@@ -12,8 +13,7 @@ use super::{
 };
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
-    io::many::many,
-    spectrum::{Kind, Line, detect},
+        spectrum::{Kind, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
@@ -52,7 +52,11 @@ pub fn verdict_alone(app: &App, seen: Seen) -> String {
 
 /// The same with what it was judged on: "Model and light look alike, judged on 24 shipped surfaces".
 pub fn verdict(app: &App, seen: Seen) -> String {
-    format!("{}, judged {}", verdict_alone(app, seen), judged_on(app))
+        tr!(
+        "{verdict}, judged {judged_on}",
+        verdict = verdict_alone(app, seen),
+        judged_on = judged_on(app)
+    )
 }
 
 /// What the verdict was judged on: "on 24 shipped surfaces", "on 26 surfaces, 2 of them your own".
@@ -60,22 +64,27 @@ pub fn verdict(app: &App, seen: Seen) -> String {
 pub fn judged_on(app: &App) -> String {
     let (document, derived) = (app.document(), app.derived());
     let Some(patches) = &derived.patches else {
-        return "on its own colour alone".to_owned();
+        return said!("on its own colour alone").to_owned();
     };
     let set = document.patch_set.as_str();
-    let which = match set == FIRST_PATCH_SET {
-        true => String::new(),
-        false => format!(" ({})", set_title(set)),
-    };
-    let count = patches.items.len();
-    match document.patches_of_own().count() {
-        0 => format!(
-            "on {}{which}",
-            many(count, "shipped surface", "shipped surfaces")
+        let count = patches.items.len();
+    match (document.patches_of_own().count(), set == FIRST_PATCH_SET) {
+        (0, true) => tr!("on {n} shipped surface" | "on {n} shipped surfaces" % count),
+        (0, false) => tr!(
+            "on {n} shipped surface ({set})" | "on {n} shipped surfaces ({set})" % count,
+            set = set_title(set)
         ),
-        own => format!(
-            "on {}{which}, {own} of them your own",
-            many(count, "surface", "surfaces")
+        (own, true) => tr!(
+            "on {n} surface, {own} of them your own" | "on {n} surfaces, {own} of them your own"
+                % count,
+            own
+        ),
+        (own, false) => tr!(
+            "on {n} surface ({set}), {own} of them your own"
+                | "on {n} surfaces ({set}), {own} of them your own"
+                % count,
+            set = set_title(set),
+            own
         ),
     }
 }
@@ -84,22 +93,22 @@ pub fn judged_on(app: &App) -> String {
 pub fn of_how_many(app: &App) -> String {
     let patches = app.derived().patches.as_ref();
     patches.map_or_else(String::new, |patches| {
-        format!(" of {}", patches.items.len())
+                tr!(" of {count}", count = patches.items.len())
     })
 }
 
 /// A patch set's short title, for menus and behind a verdict.
 pub fn set_title(id: &str) -> String {
     let known = match id {
-        FIRST_PATCH_SET => "24 surfaces",
-        "tm30_ces99_5nm" => "TM-30, 99 samples",
-        "cri_tcs" => "CRI test colours",
-        "nist_cqs_vs" => "NIST CQS samples",
-        "pmc_chart" => "Memory colours",
-        "aces_training_190" => "AMPAS 190",
-        "metals_refractiveindex" => "Metals",
-        "usgs_splib07" => "USGS materials",
-        "filters_glass_cc0" => "Filter glasses",
+        FIRST_PATCH_SET => said!("24 surfaces"),
+        "tm30_ces99_5nm" => said!("TM-30, 99 samples"),
+        "cri_tcs" => said!("CRI test colours"),
+        "nist_cqs_vs" => said!("NIST CQS samples"),
+        "pmc_chart" => said!("Memory colours"),
+                "aces_training_190" => "AMPAS 190",
+        "metals_refractiveindex" => said!("Metals"),
+        "usgs_splib07" => said!("USGS materials"),
+        "filters_glass_cc0" => said!("Filter glasses"),
         other => other,
     };
     known.to_owned()
@@ -139,11 +148,11 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     let weight = short(three(app.scale_factor() * spike.weight));
     let unit = match app.unit() {
         "" => "nm".to_owned(),
-        unit => format!("{unit} x nm"),
+                unit => format!("{unit} x nm"),
     };
-    let mut words = format!("line {:.1} nm{name}   {weight} {unit}", spike.at_nm);
+    let mut words = tr!("line {at_nm} nm{name}   {weight} {unit}", at_nm = fixed(spike.at_nm, 1), name, weight, unit);
     if let Some(share) = derived.parts.share(spike.weight) {
-        words += &format!("   {:.1} % of the power", 100.0 * share);
+        words += &tr!("   {share} % of the power", share = fixed(100.0 * share, 1));
     }
     let weights = &app.tables().viewing.weights;
     let white = if app.document().is_about_light() {
@@ -153,7 +162,7 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     };
     let adds = 100.0 * xyz_of_lines(&[spike], weights).y / white;
     if adds.is_finite() {
-        words += &format!("   adds {adds:+.1} % of the brightness");
+        words += &tr!("   adds {adds} % of the brightness", adds = signed(adds, 1));
     }
     words
 }
@@ -275,14 +284,20 @@ pub fn as_in_the_paper(app: &App) -> Settings {
 pub fn lines_words(app: &App) -> String {
     let settings = app.document().settings;
     if !settings.spikes {
-        return "off".to_owned();
+                return said!("off").to_owned();
     }
     if app.document().as_given().is_some() {
-        return "as given, without a search".to_owned();
+        return said!("as given, without a search").to_owned();
     }
     match settings.detector {
-        Detector::Energy => format!("above {} % of the power", short(settings.threshold_percent)),
-        Detector::Gradient => format!("steeper than {} % per nm", short(settings.gradient_percent)),
+                Detector::Energy => tr!(
+            "above {share} % of the power",
+            share = short(settings.threshold_percent)
+        ),
+        Detector::Gradient => tr!(
+            "steeper than {share} % per nm",
+            share = short(settings.gradient_percent)
+        ),
     }
 }
 

@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 use crate::{
     app::numbers::or_dash,
     io::{Provenance, no_formula, one_line, quoted_where, shortest},
+    languages::with_sign,
     spectrum::NamedSpectrum,
 };
 
@@ -15,8 +16,8 @@ use crate::{
 pub struct Cell {
     value: Value,
     shown: String,
-    /// CSV has the digits that are shown.
-    is_rounded: bool,
+    /// What CSV has instead of the value in full.
+    filed: Option<String>,
 }
 
 /// A cell of a value that is shown as it is; a dash for none.
@@ -25,12 +26,12 @@ pub fn cell(value: impl Into<Value>) -> Cell {
     let shown = match &value {
         Value::Null => or_dash(None, |_| String::new()),
         Value::String(text) => text.clone(),
-        value => filed(value),
+                value => with_sign(filed(value)),
     };
     Cell {
         value,
         shown,
-        is_rounded: false,
+        filed: None,
     }
 }
 
@@ -38,9 +39,9 @@ pub fn cell(value: impl Into<Value>) -> Cell {
 pub fn rounded(value: impl Into<Option<f64>>, digits: usize, otherwise: &str) -> Cell {
     let value = value.into().filter(|value| value.is_finite());
     let text = value.map_or_else(|| otherwise.to_owned(), |v| format!("{v:.digits$}"));
-    Cell {
-        is_rounded: true,
-        ..cell(value).shown(text)
+        Cell {
+        filed: Some(text.clone()),
+        ..cell(value).shown(with_sign(text))
     }
 }
 
@@ -54,10 +55,7 @@ impl Cell {
     }
 
     fn filed(&self) -> String {
-        match self.is_rounded {
-            true => self.shown.clone(),
-            false => filed(&self.value),
-        }
+                self.filed.clone().unwrap_or_else(|| filed(&self.value))
     }
 }
 

@@ -10,7 +10,11 @@ use super::{
     state::App,
     ticks::short,
 };
-use crate::{io::Choices, spectrum::Kind};
+use crate::{
+    io::Choices,
+    languages::{Language, in_language},
+    spectrum::Kind,
+};
 
 /// Two lines: `report` with the model's settings, and `render` with page, size in points and theme.
 ///
@@ -20,20 +24,20 @@ use crate::{io::Choices, spectrum::Kind};
 pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Result<String, String> {
     let document = app.document();
     if !document.subject_edits().is_empty() {
-        return Err("Lines were changed by hand: save the project and name its file.".to_owned());
+        return Err(said!("Lines were changed by hand: save the project and name its file.").to_owned());
     }
     let settings = document.settings;
     if settings.detector == Detector::Gradient {
-        return Err("The command line has no detector by steepness.".to_owned());
+        return Err(said!("The command line has no detector by steepness.").to_owned());
     }
     let subject = document.subject_entry();
     let mut about = words_of(subject)?;
     if subject.kind() != Kind::Light {
         let light = words_of(&document.light)?;
         if light.contains(" --spectrum ") {
-            return Err("The command line takes a light from a file of its own only.".to_owned());
+            return Err(said!("The command line takes a light from a file of its own only.").to_owned());
         }
-        about += &format!(" --light {light}");
+                about += &format!(" --light {light}");
     }
     // A composite as it is has its own series, range and lines; any option would analyse it.
     let options = match document.as_given() {
@@ -45,7 +49,7 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
                 || settings.sampling != usual.sampling
             {
                 return Err(
-                    "A composite as it is takes no options: save the project and name its file."
+                    said!("A composite as it is takes no options: save the project and name its file.")
                         .to_owned(),
                 );
             }
@@ -62,16 +66,16 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
             let words = words_of(second)?;
             if words.contains(" --spectrum ") {
                 return Err(
-                    "The command line takes a light from a file of its own only.".to_owned(),
+                    said!("The command line takes a light from a file of its own only.").to_owned(),
                 );
             }
-            format!(" --against {words}")
+                        format!(" --against {words}")
         }
         None => String::new(),
     };
     let theme = if dark { "dark" } else { "light" };
     let [width, height] = size;
-    Ok(format!(
+        Ok(format!(
         "spectral-explorer report {about}{options}\nspectral-explorer render {about}{options}{against} \
          --page {} --size {width}x{height} --theme {theme} --out view.png",
         page.word()
@@ -81,9 +85,9 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
 /// What finds an entry again on the command line: its word, and which spectrum of a file it is.
 fn words_of(entry: &Entry) -> Result<String, String> {
     let in_no_file = || {
-        format!(
-            "{} is in no file: save it, or the project, and name that file.",
-            entry.name()
+                tr!(
+            "{name} is in no file: save it, or the project, and name that file.",
+            name = entry.name()
         )
     };
     let from = match &entry.origin {
@@ -93,16 +97,16 @@ fn words_of(entry: &Entry) -> Result<String, String> {
     };
     let file = &from.reading.file;
     if from.reading.choices != Choices::default() {
-        return Err(format!(
-            "How {} is read was decided by hand: save the project and name its file.",
-            file.name
+                return Err(tr!(
+            "How {file} is read was decided by hand: save the project and name its file.",
+            file = file.name
         ));
     }
     let path = file.path.as_ref().ok_or_else(in_no_file)?;
     let path = quoted(&path.display().to_string());
     Ok(match from.reading.spectra {
         1 => path,
-        _ => format!("{path} --spectrum {}", from.index + 1),
+                _ => format!("{path} --spectrum {}", from.index + 1),
     })
 }
 
@@ -143,14 +147,15 @@ fn options(settings: Settings) -> String {
         value(option, now, usual)
     });
     let flag = |is_said: bool, option: &str| is_said.then(|| format!(" --{option}"));
-    let [least, most] = [band.min_nm(), band.max_nm()].map(short);
+        let ends = || [band.min_nm(), band.max_nm()].map(short);
+    let [least, most] = in_language(Language::English, ends);
     let said = [
         value("basis", basis.word(), usual.basis.word()),
         flag(!colour_exact, "plain"),
         flag(!spikes, "no-spikes"),
         flag(wide_lines, "wide-lines"),
         flag(dips, "dips"),
-        flag(band != usual.band, &format!("range {least}:{most}")),
+                flag(band != usual.band, &format!("range {least}:{most}")),
         (observer != usual.observer).then(|| {
             let own = || quoted(observer.source());
             let word = if observer.is_shipped() {
@@ -158,7 +163,7 @@ fn options(settings: Settings) -> String {
             } else {
                 own()
             };
-            format!(" --observer {word}")
+                        format!(" --observer {word}")
         }),
         value("sampling", sampling.word(), usual.sampling.word()),
     ];

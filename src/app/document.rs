@@ -178,8 +178,11 @@ impl Document {
 
     /// What is said of overlays beyond the most there may be.
     pub fn overlays_left_out(count: usize) -> String {
-        let are = if count == 1 { "is" } else { "are" };
-        format!("{MOST_OVERLAYS} overlays are the most: {count} more {are} left out.")
+        tr!(
+            "{most} overlays are the most: {n} more is left out."
+                | "{most} overlays are the most: {n} more are left out." % count,
+            most = MOST_OVERLAYS
+        )
     }
 
     /// Takes away the overlays beyond the most there may be, the newest first; tells how many.

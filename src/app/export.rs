@@ -17,6 +17,7 @@ use crate::{
         Column, Columns, CompositeFile, Provenance, composite_json, composite_line, encode, losses,
         many::many,
     },
+    languages::{Language, in_language, said},
     measurements::Measurement,
     spectrum::{ModelSpike, NamedSpectrum, Sampled},
 };
@@ -75,26 +76,26 @@ impl Export {
     /// extension of that.
     fn row(self) -> [&'static str; 3] {
         match self {
-            Self::CompositeJson => ["Composite (JSON)", "-composite", "json"],
-            Self::CompositeLine => ["Composite (one line)", "-composite", "txt"],
-            Self::Csv => ["Spectrum and model (CSV)", "-model", "csv"],
-            Self::Spd => ["Reconstruction (.spd)", "-reconstruction", "spd"],
-            Self::Spdx => ["Measured spectrum (.spdx)", "", "spdx"],
-            Self::ArgyllSp => ["Measured spectrum (Argyll .sp)", "", "sp"],
-            Self::SpectrumJson => ["Measured spectrum (JSON)", "", "json"],
-            Self::PatchesCsv => ["Surfaces (CSV)", "-patches", "csv"],
-            Self::SpikesCsv => ["Lines (CSV)", "-spikes", "csv"],
-            Self::CurveCsv => ["Error against waves (CSV)", "-error-against-order", "csv"],
-            Self::PlotSvg => ["Plot (SVG)", "", "svg"],
-            Self::CurveSvg => ["Error against waves (SVG)", "-error-against-order", "svg"],
-            Self::SheetSvg => ["Sheet about the light (SVG)", "-sheet", "svg"],
-            Self::Project => ["Project", "-project", "json"],
+            Self::CompositeJson => [later!("Composite (JSON)"), "-composite", "json"],
+            Self::CompositeLine => [later!("Composite (one line)"), "-composite", "txt"],
+            Self::Csv => [later!("Spectrum and model (CSV)"), "-model", "csv"],
+            Self::Spd => [later!("Reconstruction (.spd)"), "-reconstruction", "spd"],
+            Self::Spdx => [later!("Measured spectrum (.spdx)"), "", "spdx"],
+            Self::ArgyllSp => [later!("Measured spectrum (Argyll .sp)"), "", "sp"],
+            Self::SpectrumJson => [later!("Measured spectrum (JSON)"), "", "json"],
+            Self::PatchesCsv => [later!("Surfaces (CSV)"), "-patches", "csv"],
+            Self::SpikesCsv => [later!("Lines (CSV)"), "-spikes", "csv"],
+            Self::CurveCsv => [later!("Error against waves (CSV)"), "-error-against-order", "csv"],
+            Self::PlotSvg => [later!("Plot (SVG)"), "", "svg"],
+            Self::CurveSvg => [later!("Error against waves (SVG)"), "-error-against-order", "svg"],
+            Self::SheetSvg => [later!("Sheet about the light (SVG)"), "-sheet", "svg"],
+            Self::Project => [later!("Project"), "-project", "json"],
         }
     }
 
     /// What the menu calls it.
     pub fn title(self) -> &'static str {
-        self.row()[0]
+        said(self.row()[0])
     }
 
     /// The extension of its file.
@@ -121,11 +122,20 @@ impl Export {
         }
     }
 
-    /// The text itself. `theme` only matters for pictures.
+    /// The text itself. `theme` only matters for pictures, which speak as the window does; programs
+    /// read English.
     ///
     /// # Errors
     /// One line when the result holds a number that the format cannot.
     pub fn text(self, app: &App, theme: Theme) -> Result<String, String> {
+        let make = || self.made(app, theme);
+        match self {
+            Self::PlotSvg | Self::CurveSvg | Self::SheetSvg => make(),
+            _ => in_language(Language::English, make),
+        }
+    }
+
+    fn made(self, app: &App, theme: Theme) -> Result<String, String> {
         let (document, derived) = (app.document(), app.derived());
         match self {
             Self::CompositeJson => composite_json(&composite_file(app)).map_err(|e| e.to_string()),

@@ -16,41 +16,51 @@ use super::{
     ticks::short,
     verdicts::Seen,
 };
-use crate::{
-    io::many::{many, numbers},
-    spectrum::Sampling,
-    study::products::Passage,
-};
+use crate::{languages::fixed, spectrum::Sampling, study::products::Passage};
 
 /// How many dark lines were found, and how many of them have a name.
 pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     let name = app.document().subject_entry().name();
     let settings = app.document().settings;
     if !looks(settings) {
-        return "Switch on \"Look for dark lines\", or choose an example.".to_owned();
+        return said!("Switch on \"Look for dark lines\", or choose an example.").to_owned();
     }
     if !app.derived().has_errors() {
-        return format!("{name} is zero over the whole range: there is nothing to miss.");
+        return tr!(
+            "{name} is zero over the whole range: there is nothing to miss.",
+            name
+        );
     }
     let least = short(settings.threshold_percent);
     match dips.len() {
-        0 => format!("{name} has no dark line that takes {least} % of its power or more."),
-        1 => format!(
-            "The model keeps 1 dark line of {name}, {} a name.",
-            match dips.iter().all(|dip| dip.name.is_some()) {
-                true => "with",
-                false => "without",
-            }
+        0 => tr!(
+            "{name} has no dark line that takes {least} % of its power or more.",
+            name,
+            least
         ),
-        count => format!(
-            "The model keeps {} of {name}, {} of them named.",
-            many(count, "dark line", "dark lines"),
-            match dips.iter().filter(|dip| dip.name.is_some()).count() {
-                0 => "none".to_owned(),
-                named if named == count => "all".to_owned(),
-                named => named.to_string(),
-            }
-        ),
+        count => match (count, dips.iter().filter(|dip| dip.name.is_some()).count()) {
+            (1, 0) => tr!(
+                "The model keeps 1 dark line of {name}, without a name.",
+                name
+            ),
+            (1, _) => tr!("The model keeps 1 dark line of {name}, with a name.", name),
+            (_, 0) => tr!(
+                "The model keeps {count} dark lines of {name}, none of them named.",
+                count,
+                name
+            ),
+            (_, named) if named == count => tr!(
+                "The model keeps {count} dark lines of {name}, all of them named.",
+                count,
+                name
+            ),
+            (_, named) => tr!(
+                "The model keeps {count} dark lines of {name}, {named} of them named.",
+                count,
+                name,
+                named
+            ),
+        },
     }
 }
 
@@ -63,27 +73,61 @@ pub fn chain(
     judges_model: bool,
 ) -> String {
     let total = told.passage.total();
-    let through = match told.names.as_slice() {
-        [] => return format!("Put glass or a surface behind {light}: add a step."),
-        [one] => one.clone(),
-        more => format!("{} steps", more.len()),
+    let (step, steps) = match told.names.as_slice() {
+        [] => return tr!("Put glass or a surface behind {light}: add a step.", light),
+        [one] => (Some(one), 1),
+        more => (None, more.len()),
     };
     let share = |passage: &Passage| passage.total().transmission[0];
     if let (Some(first), Some((name, other))) = (share(&told.passage), second)
         && let Some(other) = share(other)
     {
         let [first, other] = [first, other].map(percent);
-        return format!("{first} % of {light} and {other} % of {name} are left after {through}.");
+        return match step {
+            Some(step) => tr!(
+                "{first} % of {light} and {other} % of {name} are left after {step}.",
+                first,
+                light,
+                other,
+                name,
+                step
+            ),
+            None => tr!(
+                "{first} % of {light} and {other} % of {name} are left after {steps} steps.",
+                first,
+                light,
+                other,
+                name,
+                steps
+            ),
+        };
     }
     let passes = total.transmission[0].map_or_else(
-        || format!("{light} is not seen on this range"),
-        |share| format!("{} % of {light} is left after {through}", percent(share)),
+        || tr!("{light} is not seen on this range", light),
+        |share| {
+            let share = percent(share);
+            match step {
+                Some(step) => tr!(
+                    "{share} % of {light} is left after {step}",
+                    share,
+                    light,
+                    step
+                ),
+                None => tr!(
+                    "{share} % of {light} is left after {steps} steps",
+                    share,
+                    light,
+                    steps
+                ),
+            }
+        },
     );
     match total.colours.delta_e_2000.filter(|_| judges_model) {
-        Some(off) => format!(
-            "{passes}. The model's colour is off by ΔE₀₀ {}: {}.",
-            hundredths(off),
-            Seen::of(off).seen()
+        Some(off) => tr!(
+            "{passes}. The model's colour is off by ΔE₀₀ {off}: {seen}.",
+            passes,
+            off = hundredths(off),
+            seen = Seen::of(off).seen()
         ),
         None => format!("{passes}."),
     }
@@ -92,56 +136,94 @@ pub fn chain(
 /// What three representations of equal size are off by behind a filter.
 pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
     if !behind.has_colour() {
-        return "There is no visible light in this range: nothing to see behind a filter."
+        return said!("There is no visible light in this range: nothing to see behind a filter.")
             .to_owned();
     }
-    let over = match filter {
-        Filter::Gaussian {
-            centre_nm,
-            width_nm,
-        } => format!(
-            "Behind a filter at {} nm, {} nm wide,",
-            short(*centre_nm),
-            short(*width_nm)
-        ),
-        Filter::Real(entry) => format!("Behind {},", entry.name()),
-    };
     let off = |error: f64| match error {
         error if error < 0.01 => delta_e(error),
         error => two_digits(error),
     };
     let [composite, series, samples] = figures.ways.map(|way| or_dash(way.delta_e_2000, off));
-    format!(
-        "{over} {} as waves and lines are off by ΔE₀₀ {composite}, as waves alone by {series}, as \
-         plain samples by {samples}.",
-        numbers(behind.numbers())
-    )
+    match filter {
+        Filter::Gaussian {
+            centre_nm,
+            width_nm,
+        } => tr!(
+            "Behind a filter at {centre} nm, {width} nm wide, {n} number as waves and lines are \
+             off by ΔE₀₀ {composite}, as waves alone by {series}, as plain samples by {samples}."
+                | "Behind a filter at {centre} nm, {width} nm wide, {n} numbers as waves and lines \
+                   are off by ΔE₀₀ {composite}, as waves alone by {series}, as plain samples by \
+                   {samples}."
+                    % behind.numbers(),
+            centre = short(*centre_nm),
+            width = short(*width_nm),
+            composite,
+            series,
+            samples
+        ),
+        Filter::Real(entry) => tr!(
+            "Behind {filter}, {n} number as waves and lines are off by ΔE₀₀ {composite}, as waves \
+             alone by {series}, as plain samples by {samples}."
+                | "Behind {filter}, {n} numbers as waves and lines are off by ΔE₀₀ {composite}, as \
+                   waves alone by {series}, as plain samples by {samples}."
+                    % behind.numbers(),
+            filter = entry.name(),
+            composite,
+            series,
+            samples
+        ),
+    }
 }
 
 /// How many surfaces change from one light to the other, and which one most.
 pub fn two_lights([first, second]: [&str; 2], lit: Option<&[Lit]>) -> String {
     let Some(lit) = lit else {
-        return "One of the lights is not seen on this range, so there is no colour to compare."
-            .to_owned();
+        return said!(
+            "One of the lights is not seen on this range, so there is no colour to compare."
+        )
+        .to_owned();
     };
     let most = lit
         .iter()
         .max_by(|a, b| a.delta_e_2000.total_cmp(&b.delta_e_2000));
     let Some(most) = most else {
-        return "There are no surfaces to compare.".to_owned();
+        return said!("There are no surfaces to compare.").to_owned();
     };
     let seen = |lit: &&Lit| Seen::of(lit.delta_e_2000) >= Seen::Visible;
     let changed = lit.iter().filter(seen).count();
-    let how_many = match changed {
-        0 => format!("none of {} surfaces changes", lit.len()),
-        all if all == lit.len() => format!("all {all} surfaces change"),
-        1 => format!("1 of {} surfaces changes", lit.len()),
-        some => format!("{some} of {} surfaces change", lit.len()),
-    };
-    format!(
-        "From {first} to {second}, {how_many} visibly, \"{}\" most (ΔE₀₀ {:.1}).",
-        most.name, most.delta_e_2000
-    )
+    let (all, most, off) = (lit.len(), &most.name, fixed(most.delta_e_2000, 1));
+    match changed {
+        0 => tr!(
+            "From {first} to {second}, none of {all} surfaces changes visibly, \"{most}\" most \
+             (ΔE₀₀ {off}).",
+            first,
+            second,
+            all,
+            most,
+            off
+        ),
+        changed if changed == all => tr!(
+            "From {first} to {second}, all {all} surfaces change visibly, \"{most}\" most \
+             (ΔE₀₀ {off}).",
+            first,
+            second,
+            all,
+            most,
+            off
+        ),
+        changed => tr!(
+            "From {first} to {second}, {n} of {all} surfaces changes visibly, \"{most}\" most \
+             (ΔE₀₀ {off})."
+                | "From {first} to {second}, {n} of {all} surfaces change visibly, \"{most}\" most \
+                   (ΔE₀₀ {off})."
+                    % changed,
+            first,
+            second,
+            all,
+            most,
+            off
+        ),
+    }
 }
 
 /// A pair that is one colour under a light, and how it parts under another.
@@ -149,10 +231,17 @@ pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [
     let [one, other] = names;
     let [alike, apart] = delta_e_2000;
     let how = |delta| Seen::of(delta).of_two();
-    format!(
-        "Under {first}, {one} and {other} {} (ΔE₀₀ {alike:.1}); under {second} they {} ({apart:.1}).",
-        how(alike),
-        how(apart)
+    tr!(
+        "Under {first}, {one} and {other} {look} (ΔE₀₀ {off}); under {second} they {look_there} \
+         ({off_there}).",
+        first,
+        one,
+        other,
+        look = how(alike),
+        off = fixed(alike, 1),
+        second,
+        look_there = how(apart),
+        off_there = fixed(apart, 1)
     )
 }
 
@@ -165,60 +254,70 @@ pub fn resampling(bench: &Bench) -> String {
     };
     let (light, factor) = (&bench.light, &bench.factor);
     match (of(Sampling::Paper), of(Sampling::Double)) {
-        (Some(paper), Some(double)) => format!(
-            "{light} times {factor}: the paper's points add ΔE₀₀ {}, points for twice the numbers \
-             {}.",
-            delta_e(paper),
-            delta_e(double)
+        (Some(paper), Some(double)) => tr!(
+            "{light} times {factor}: the paper's points add ΔE₀₀ {paper}, points for twice the \
+             numbers {double}.",
+            light,
+            factor,
+            paper = delta_e(paper),
+            double = delta_e(double)
         ),
-        _ => format!("{light} times {factor} is not seen on this range: there is no colour."),
+        _ => tr!(
+            "{light} times {factor} is not seen on this range: there is no colour.",
+            light,
+            factor
+        ),
     }
 }
 
 /// How many of the paper's claims hold.
 pub fn paper(subject: &str, rows: &[Row]) -> String {
     let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict == verdict).count();
-    let verb = |n: usize| if n == 1 { "holds" } else { "hold" };
     let (holds, only, fails, open) = (
         count(Verdict::Holds),
         count(Verdict::OnlyIf),
         count(Verdict::Fails),
         count(Verdict::Open),
     );
-    let mut parts = vec![format!(
-        "{holds} of the paper's {} claims {}",
-        rows.len(),
-        verb(holds)
+    let mut parts = vec![tr!(
+        "{n} of the paper's {all} claims holds" | "{n} of the paper's {all} claims hold" % holds,
+        all = rows.len()
     )];
     if only > 0 {
-        parts.push(format!("{only} {} only under a condition", verb(only)));
-    }
-    if fails > 0 {
-        parts.push(format!(
-            "{fails} {} not hold",
-            if fails == 1 { "does" } else { "do" }
+        parts.push(tr!(
+            "{n} holds only under a condition" | "{n} hold only under a condition" % only
         ));
     }
-    if open > 0 {
-        parts.push(format!("{open} cannot be measured here"));
+    if fails > 0 {
+        parts.push(tr!("{n} does not hold" | "{n} do not hold" % fails));
     }
-    format!("On {subject}, {}.", parts.join(", "))
+    if open > 0 {
+        parts.push(tr!(
+            "{n} cannot be measured here" | "{n} cannot be measured here" % open
+        ));
+    }
+    tr!(
+        "On {subject}, {findings}.",
+        subject,
+        findings = parts.join(", ")
+    )
 }
 
 /// What the pixels chosen of an image are.
 pub fn image(entry: &ImageEntry, pixels: usize) -> String {
     let cube = &entry.image.cube;
     let chosen = match pixels {
-        1 => "That of one pixel is shown.".to_owned(),
+        1 => said!("That of one pixel is shown.").to_owned(),
         all if all == cube.width() * cube.height() => {
-            "Click one, or drag over some, to see theirs.".to_owned()
+            said!("Click one, or drag over some, to see theirs.").to_owned()
         }
-        some => format!("The mean of {some} pixels is shown."),
+        count => tr!("The mean of {count} pixels is shown.", count),
     };
-    format!(
-        "{}: each of its pixels is a spectrum of {}. {chosen}",
-        entry.image.name,
-        many(cube.nm().len(), "band", "bands"),
+    tr!(
+        "{image}: each of its pixels is a spectrum of {n} band. {chosen}"
+            | "{image}: each of its pixels is a spectrum of {n} bands. {chosen}" % cube.nm().len(),
+        image = entry.image.name,
+        chosen
     )
 }
 

@@ -49,7 +49,10 @@ pub fn text(of: &Instrument) -> String {
 }
 
 fn refused(found: &str) -> String {
-    format!("found {found}, expected an instrument as combine instrument learn writes it")
+    tr!(
+        "found {found}, expected an instrument as combine instrument learn writes it",
+        found
+    )
 }
 
 /// The JSON of an instrument's file, which [`of`] has an instrument of.
@@ -57,7 +60,7 @@ fn refused(found: &str) -> String {
 /// # Errors
 /// What was found and what was expected.
 pub fn json_of(text: &str) -> Result<Value, String> {
-    let all = serde_json::from_str::<Value>(text).map_err(|_| refused("no JSON"))?;
+    let all = serde_json::from_str::<Value>(text).map_err(|_| refused(said!("no JSON")))?;
     of(&all).map(|_| all)
 }
 
@@ -67,7 +70,7 @@ pub fn json_of(text: &str) -> Result<Value, String> {
 /// What was found and what was expected.
 pub fn of(all: &Value) -> Result<Instrument, String> {
     if all["format"] != FORMAT {
-        return Err(refused("JSON of another kind"));
+        return Err(refused(said!("JSON of another kind")));
     }
     let words = |key: &str| all[key].as_str().unwrap_or_default().to_owned();
     match factor(all) {
@@ -81,7 +84,7 @@ pub fn of(all: &Value) -> Result<Instrument, String> {
             slit: slit(&all["slit"]),
             factor,
         }),
-        None => Err(refused("no response that is one")),
+        None => Err(refused(said!("no response that is one"))),
     }
 }
 

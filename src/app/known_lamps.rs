@@ -7,8 +7,8 @@ use super::{
     studies::{About, EncodeAsk, EncodedLight},
 };
 use crate::{
-    io::many::numbers,
     lamps::{NUMBERS, words_in_text},
+    languages::said,
     study::{
         Measure, Reference, SweepPoint, Verdict,
         error::{height, times},
@@ -49,51 +49,63 @@ impl WordsShown {
         let (errors, numbers) = (encoded.errors, encoded.words.len());
         let words = words_in_text(&encoded.words);
         Self {
-            sentence: format!(
-                "{name} in {numbers} numbers: {}. Colours under it are {} ΔE₀₀ off, its spectrum, \
-                 blurred by 10 nm, {} %.",
-                makeup.in_words(),
-                error(errors.patches),
-                error(100.0 * errors.blurred)
+            sentence: tr!(
+                "{name} in {numbers} numbers: {makeup}. Colours under it are {off} ΔE₀₀ off, its \
+                 spectrum, blurred by 10 nm, {share} %.",
+                name,
+                numbers,
+                makeup = makeup.in_words(),
+                off = error(errors.patches),
+                share = error(100.0 * errors.blurred)
             ),
             figures: vec![
                 WordsFigure {
-                    title: "colours under it",
+                    title: said!("colours under it"),
                     value: format!("{} ΔE₀₀", error(errors.patches)),
-                    meaning: "Mean of the 99 samples of TM-30, their reflectances approximated too, \
-                              in as many numbers as the light may take; about 1 can just be seen.",
+                    meaning: said!(
+                        "Mean of the 99 samples of TM-30, their reflectances approximated too, \
+                              in as many numbers as the light may take; about 1 can just be seen."
+                    ),
                 },
                 WordsFigure {
-                    title: "behind narrow filters",
+                    title: said!("behind narrow filters"),
                     value: format!("{} ΔE₀₀", error(errors.filters)),
-                    meaning: "Mean behind filters 10 nm wide, each brightened to a middle grey.",
+                    meaning: said!(
+                        "Mean behind filters 10 nm wide, each brightened to a middle grey."
+                    ),
                 },
                 WordsFigure {
-                    title: "spectrum, blurred by 10 nm",
+                    title: said!("spectrum, blurred by 10 nm"),
                     value: format!("{} %", error(100.0 * errors.blurred)),
-                    meaning: "Root mean square of what is left behind a blur of 10 nm, as a share of the measured \
-                              spectrum's: narrower lines count by their power, not by their shape.",
+                    meaning: said!(
+                        "Root mean square of what is left behind a blur of 10 nm, as a share of \
+                         the measured spectrum's: narrower lines count by their power, not by \
+                         their shape."
+                    ),
                 },
                 WordsFigure {
-                    title: "its own colour",
+                    title: said!("its own colour"),
                     value: own(encoded.own),
                     meaning: if encoded.own < EXACT {
-                        "X, Y and Z are made exact; what is left is the rounding to 32 bits."
+                        said!("X, Y and Z are made exact; what is left is the rounding to 32 bits.")
                     } else {
-                        "The best way here is a plain series, which does not make X, Y and Z exact."
+                        said!(
+                            "The best way here is a plain series, which does not make X, Y and Z \
+                             exact."
+                        )
                     },
                 },
             ],
             lines: match &makeup.lines_in_words()[..] {
                 [] => String::new(),
-                [one] => format!("Line at {one}."),
-                lines => format!("Lines at {}.", lines.join("; ")),
+                [place] => tr!("Line at {place}.", place),
+                lines => tr!("Lines at {places}.", places = lines.join("; ")),
             },
             words: words.join(" "),
             needs: if makeup.parts.is_empty() {
-                "Decoding needs the formula alone."
+                said!("Decoding needs the formula alone.")
             } else {
-                "Decoding needs this program's list of lamps."
+                said!("Decoding needs this program's list of lamps.")
             },
         }
     }
@@ -129,14 +141,17 @@ pub fn lamps_better(
     let figure = measure.figure();
     let words = |off: f64| format!("{}{}", error(off * figure.unit.factor), figure.unit.tail);
     (theirs < ours).then(|| {
-        format!(
-            "Known lamps are better with {}: {}, {} {} against {} of the best of all eight ways. \
-             Decoding needs this program's list of lamps.",
-            numbers(found.encoded.words.len()),
-            found.makeup.in_words(),
-            figure.title.to_lowercase(),
-            words(theirs),
-            words(ours),
+        tr!(
+            "Known lamps are better with {n} number: {makeup}, {figure} {theirs} against {ours} of \
+             the best of all eight ways. Decoding needs this program's list of lamps."
+                | "Known lamps are better with {n} numbers: {makeup}, {figure} {theirs} against \
+                   {ours} of the best of all eight ways. Decoding needs this program's list of \
+                   lamps."
+                    % found.encoded.words.len(),
+            makeup = found.makeup.in_words(),
+            figure = said(figure.title),
+            theirs = words(theirs),
+            ours = words(ours)
         )
     })
 }
@@ -146,7 +161,7 @@ const EXACT: f64 = 1e-4;
 
 fn own(delta_e: f64) -> String {
     if delta_e < EXACT {
-        "exact".to_owned()
+        said!("exact").to_owned()
     } else {
         format!("{} ΔE₀₀", error(delta_e))
     }

@@ -19,47 +19,52 @@ pub struct Licence {
 static ALL: [Licence; 9] = [
     Licence {
         id: "MIT",
-        title: "MIT License: the program's own code (at choice), and the resampled USGS spectra",
+        title: later!(
+            "MIT License: the program's own code (at choice), and the resampled USGS spectra"
+        ),
         text: include_str!("../../LICENSES/MIT.txt"),
     },
     Licence {
         id: "Apache-2.0",
-        title: "Apache License 2.0: the program's own code (at choice), and the 190 AMPAS reflectances",
+        title: later!(
+            "Apache License 2.0: the program's own code (at choice), and the 190 AMPAS \
+             reflectances"
+        ),
         text: include_str!("../../LICENSES/Apache-2.0.txt"),
     },
     Licence {
         id: "CC-BY-SA-4.0",
-        title: "Creative Commons Attribution-ShareAlike 4.0: the CIE's tables",
+        title: later!("Creative Commons Attribution-ShareAlike 4.0: the CIE's tables"),
         text: include_str!("../../LICENSES/CC-BY-SA-4.0.txt"),
     },
     Licence {
         id: "BSD-3-Clause",
-        title: "BSD 3-Clause: tables from colour-science, pvlib and rascal",
+        title: later!("BSD 3-Clause: tables from colour-science, pvlib and rascal"),
         text: include_str!("../../LICENSES/BSD-3-Clause.txt"),
     },
     Licence {
         id: "CC0-1.0",
-        title: "Creative Commons Zero 1.0: metals and filter glasses",
+        title: later!("Creative Commons Zero 1.0: metals and filter glasses"),
         text: include_str!("../../LICENSES/CC0-1.0.txt"),
     },
     Licence {
         id: "DejaVu-Fonts",
-        title: "Bitstream Vera and Arev licences: the font DejaVu Sans",
+        title: later!("Bitstream Vera and Arev licences: the font DejaVu Sans"),
         text: include_str!("../../LICENSES/DejaVu-Fonts.txt"),
     },
     Licence {
         id: "Ubuntu-font-1.0",
-        title: "Ubuntu Font Licence 1.0: the font Ubuntu Light",
+        title: later!("Ubuntu Font Licence 1.0: the font Ubuntu Light"),
         text: include_str!("../../LICENSES/Ubuntu-font-1.0.txt"),
     },
     Licence {
         id: "Hack-Fonts",
-        title: "MIT and Bitstream Vera licences: the font Hack",
+        title: later!("MIT and Bitstream Vera licences: the font Hack"),
         text: include_str!("../../LICENSES/Hack-Fonts.txt"),
     },
     Licence {
         id: "egui-icons",
-        title: "MIT License: the icon font of the window toolkit",
+        title: later!("MIT License: the icon font of the window toolkit"),
         text: include_str!("../../LICENSES/egui-icons.txt"),
     },
 ];

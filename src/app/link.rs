@@ -37,7 +37,10 @@ fn target(part: &str) -> Result<Target, String> {
     let why = match key {
         "page" => match Page::of_word(value) {
             Some(page) => return Ok(Target::Page(page)),
-            None => format!("found the page {value:?}, expected the word of a page"),
+            None => tr!(
+                "found the page {page}, expected the word of a page",
+                page = format!("{value:?}")
+            ),
         },
         "light" => match resolve(value, None, None) {
             Ok(entry) => return Ok(Target::Light(Arc::new(entry))),
@@ -58,9 +61,12 @@ fn target(part: &str) -> Result<Target, String> {
                 loaded => return Ok(Target::File(loaded)),
             }
         }
-        _ => format!("found {key:?}, expected page, light, lesson, cs1 or cs2"),
+        _ => tr!(
+            "found {part}, expected page, light, lesson, cs1 or cs2",
+            part = format!("{key:?}")
+        ),
     };
-    Err(format!("The link: {why}."))
+    Err(tr!("The link: {why}.", why))
 }
 
 /// The link that opens a page with the model of the light that is shown, in few digits; of what is

@@ -10,12 +10,14 @@ use super::{
 };
 use crate::{
     color::quality::{Figures, Parts},
+    languages::said,
     live::{Shown, sums},
     measurements::Quantity,
 };
 
 /// The meaning of Y of a stream.
-pub const SUM_MEANS: &str = "Sum with the luminosity function, in the unit of the values x nm.";
+pub const SUM_MEANS: &str =
+    later!("Sum with the luminosity function, in the unit of the values x nm.");
 
 /// The brightness, which only a stream has: elsewhere the light's Y is 100.
 static SUM: Figure = Figure {
@@ -97,8 +99,8 @@ pub fn figures(shown: &Shown, wanted: &[Wanted]) -> Vec<Told> {
     wanted.iter().for_each(|wanted| wanted.add_to(&mut parts));
     let light = match shown.of.quantity {
         Quantity::Light => Ok(spectrum(&shown.of, "")),
-        Quantity::Counts => Err(COUNTS.to_owned()),
-        other => Err(format!("{other} is no light")),
+        Quantity::Counts => Err(said(COUNTS).to_owned()),
+        other => Err(tr!("{quantity} is no light", quantity = other)),
     };
     let light = light.map(|spectrum| {
         let (light, measured) = light_of(&spectrum);
@@ -112,14 +114,16 @@ pub fn figures(shown: &Shown, wanted: &[Wanted]) -> Vec<Told> {
             Wanted::Of(row) if (row.applies)(figures) => {
                 row.value(figures).map_err(|why| why.to_string())
             }
-            Wanted::Of(_) => Err("the unit of the values is that of another quantity".to_owned()),
+            Wanted::Of(_) => {
+                Err(said!("the unit of the values is that of another quantity").to_owned())
+            }
         }
     };
     let told = |wanted: &Wanted| Told {
         figure: wanted.figure(),
         value: value(wanted).and_then(|value| match value.is_finite() {
             true => Ok(value),
-            false => Err("it is beyond all numbers".to_owned()),
+            false => Err(said!("it is beyond all numbers").to_owned()),
         }),
     };
     wanted.iter().map(told).collect()

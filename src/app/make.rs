@@ -24,6 +24,7 @@ use crate::{
         mixture::{MixError, Source},
         recover::RecoverError,
     },
+    languages::said,
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
 
@@ -51,17 +52,20 @@ pub(super) enum WhyNot {
 impl std::fmt::Display for WhyNot {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Missing(key) => write!(f, "found no {key}"),
-            Self::OtherKind(key, kind, expected) => {
-                write!(f, "found {key} ({kind}), expected {expected}")
-            }
+            Self::Missing(key) => f.write_str(&tr!("found no {key}", key)),
+            Self::OtherKind(key, kind, expected) => f.write_str(&tr!(
+                "found {key} ({kind}), expected {expected}",
+                key,
+                kind = said(kind.word()),
+                expected = said(expected)
+            )),
             Self::Metamer(why) => write!(f, "{}", why.words()),
             Self::Mix(why) => write!(f, "{why}"),
             Self::Colour(why) => write!(f, "{why}"),
             // A sentence of its own, whose end is the caller's.
             Self::Combined(why) => write!(f, "{}", why.trim_end_matches('.')),
-            Self::Nothing => write!(f, "found nothing that was measured there"),
-            Self::Circle => write!(f, "it would be made of itself"),
+            Self::Nothing => f.write_str(said!("found nothing that was measured there")),
+            Self::Circle => f.write_str(said!("it would be made of itself")),
         }
     }
 }
@@ -212,7 +216,7 @@ fn factor(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
     match entry.kind() {
         kind if kind.is_factor() => Ok(entry),
         kind => {
-            let expected = "a reflectance or transmittance";
+            let expected = later!("a reflectance or transmittance");
             Err(WhyNot::OtherKind(key.to_owned(), kind, expected))
         }
     }
@@ -222,7 +226,7 @@ fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
     let entry = found(document, key)?;
     match entry.kind() {
         Kind::Light => Ok(entry),
-        kind => Err(WhyNot::OtherKind(key.to_owned(), kind, "a light")),
+        kind => Err(WhyNot::OtherKind(key.to_owned(), kind, later!("a light"))),
     }
 }
 

@@ -27,10 +27,10 @@ use crate::{
 };
 
 /// What is said where the program does not know the quantity.
-pub const NOT_YET: &str = "not computed here yet";
+pub const NOT_YET: &str = later!("not computed here yet");
 
 /// Said where nothing is seen.
-const DARK: &str = "no visible light";
+const DARK: &str = later!("no visible light");
 
 /// Square metres in a square foot: lux of one foot-candle are its inverse.
 const SQUARE_FOOT_M2: f64 = 0.3048 * 0.3048;
@@ -159,13 +159,13 @@ impl<'a> Light<'a> {
     fn compute(&self, quantity: &Quantity, unit: &str) -> Result<f64, &'static str> {
         let finite = |value: f64| Some(value).filter(|v| v.is_finite()).ok_or(DARK);
         if *quantity == Quantity::PeakNm {
-            return self.peak_nm().ok_or("no values");
+            return self.peak_nm().ok_or(later!("no values"));
         }
         if let Some(found) = self.quality(quantity) {
             return found;
         }
         if self.spectrum.kind != Kind::Light {
-            return Err("the values are no light");
+            return Err(later!("the values are no light"));
         }
         match quantity {
             // Meters write 683 lm/W x the sums; Y is the lux.
@@ -196,11 +196,11 @@ impl<'a> Light<'a> {
         let found = row.value(figures).map(|value| factor * value);
         Some(found.map_err(|why| match why {
             NoFigure::Dark(_) | NoFigure::NotPositive { .. } => DARK,
-            NoFigure::NoCct(_) => "too far from the blackbody locus",
-            NoFigure::NearWhite { .. } => "no hue: too near the white",
-            NoFigure::VioletEnd => "the violet end of the locus",
-            NoFigure::RedEnd => "the red end of the locus",
-            _ => "out of the formula's range",
+            NoFigure::NoCct(_) => later!("too far from the blackbody locus"),
+            NoFigure::NearWhite { .. } => later!("no hue: too near the white"),
+            NoFigure::VioletEnd => later!("the violet end of the locus"),
+            NoFigure::RedEnd => later!("the red end of the locus"),
+            _ => later!("out of the formula's range"),
         }))
     }
 
@@ -226,16 +226,16 @@ impl<'a> Light<'a> {
         let unit = self.spectral_unit()?;
         if unit.per_steradian != per_steradian {
             return Err(if per_steradian {
-                "the values are no radiance"
+                later!("the values are no radiance")
             } else {
-                "the values are no irradiance"
+                later!("the values are no irradiance")
             });
         }
         Ok(LUMENS_PER_WATT * unit.factor)
     }
 
     fn spectral_unit(&self) -> Result<SpectralUnit, &'static str> {
-        const UNKNOWN: &str = "the unit of the values is not known";
+        const UNKNOWN: &str = later!("the unit of the values is not known");
         self.unit.filter(|u| u.per_nm && u.per_area).ok_or(UNKNOWN)
     }
 
@@ -246,10 +246,10 @@ impl<'a> Light<'a> {
         unit: &str,
         range_nm: Option<[f64; 2]>,
     ) -> Result<f64, &'static str> {
-        const ODD: &str = "the instrument's unit is not known";
+        const ODD: &str = later!("the instrument's unit is not known");
         let own = self.spectral_unit()?;
         if own.per_steradian {
-            return Err("the values are no irradiance");
+            return Err(later!("the values are no irradiance"));
         }
         let theirs = match unit {
             "" => 1.0,

@@ -239,7 +239,10 @@ pub fn lost_of_measurement(extension: &str, of: &Measurement) -> Option<String> 
     let keeps_all = matches!(extension, "csv" | "json");
     let is_more = of.sigma.is_some() || !of.mask.is_empty();
     (is_more && !keeps_all).then(|| {
-        format!(".{extension} keeps neither sigma nor what is masked: .csv and .json keep both")
+        tr!(
+            ".{extension} keeps neither sigma nor what is masked: .csv and .json keep both",
+            extension
+        )
     })
 }
 

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-/// A value with its key: everything that the value depends on.
+use crate::languages::{Language, spoken};
+
+/// A value with its key: everything that the value depends on, beside the language spoken, which
+/// any value may have words in.
 #[derive(Clone, Debug)]
-pub struct Memo<K, V>(Option<(K, V)>);
+pub struct Memo<K, V>(Option<((Language, K), V)>);
 
 impl<K, V> Default for Memo<K, V> {
     fn default() -> Self {
@@ -16,10 +19,10 @@ impl<K: PartialEq, V> Memo<K, V> {
     /// The value of `key`: the one that is held when it is of the same key, otherwise made now.
     pub fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
         let held = match self.0.take() {
-            Some(held) if held.0 == key => held,
+            Some(held) if held.0.0 == spoken() && held.0.1 == key => held,
             _ => {
                 let value = make(&key);
-                (key, value)
+                ((spoken(), key), value)
             }
         };
         &mut self.0.insert(held).1

@@ -3,6 +3,7 @@
 //! Files have numbers in full, by `cells`.
 
 use super::ticks::short;
+use crate::languages::with_sign;
 
 /// Stands where there is no number.
 pub const DASH: &str = "–";
@@ -13,28 +14,7 @@ pub fn or_dash(value: impl Into<Option<f64>>, words: impl FnOnce(f64) -> String)
     value.map_or_else(|| DASH.to_owned(), words)
 }
 
-/// Decimals, and no minus before a zero.
-pub fn fixed(value: f64, digits: usize) -> String {
-    let words = format!("{value:.digits$}");
-    match words.strip_prefix('-') {
-        Some(rest) if is_zero(rest) => rest.to_owned(),
-        _ => words,
-    }
-}
-
-/// Decimals with a sign; a zero has none.
-pub fn signed(value: f64, digits: usize) -> String {
-    let words = format!("{value:+.digits$}");
-    if is_zero(&words[1..]) {
-        words[1..].to_owned()
-    } else {
-        words
-    }
-}
-
-fn is_zero(digits: &str) -> bool {
-    digits.chars().all(|c| matches!(c, '0' | '.'))
-}
+pub use crate::languages::{fixed, signed};
 
 /// Significant digits, noughts behind the point left out: `0.0123`, `12.3`.
 pub fn significant(value: f64, digits: usize) -> String {
@@ -55,11 +35,11 @@ pub fn figure(value: impl Into<Option<f64>>) -> String {
 /// An error in few letters: less than a ten-thousandth is told as that.
 pub fn error(value: f64) -> String {
     or_dash(value, |value| match value {
-        v if v < 1e-4 => "< 0.0001".to_owned(),
-        v if v < 0.01 => format!("{v:.4}"),
-        v if v < 1.0 => format!("{v:.3}"),
-        v if v < 100.0 => format!("{v:.2}"),
-        v => format!("{v:.0}"),
+        v if v < 1e-4 => with_sign("< 0.0001".to_owned()),
+        v if v < 0.01 => fixed(v, 4),
+        v if v < 1.0 => fixed(v, 3),
+        v if v < 100.0 => fixed(v, 2),
+        v => fixed(v, 0),
     })
 }
 
@@ -93,8 +73,8 @@ pub fn share_words(share: impl Into<Option<f64>>) -> String {
 /// none of it but is more is "< 0.01", none is a dash.
 pub fn hundredths(value: impl Into<Option<f64>>) -> String {
     or_dash(value, |value| match (100.0 * value).round() / 100.0 {
-        0.0 if value > 0.0 => "< 0.01".to_owned(),
-        0.0 if value < 0.0 => "> -0.01".to_owned(),
+        0.0 if value > 0.0 => with_sign("< 0.01".to_owned()),
+        0.0 if value < 0.0 => with_sign("> -0.01".to_owned()),
         rounded => fixed(rounded, 2),
     })
 }
@@ -106,7 +86,7 @@ pub use hundredths as delta_e;
 pub fn four_digits(value: impl Into<Option<f64>>) -> String {
     or_dash(value, |value| match value.abs() {
         size if size >= 1e4 || (size > 0.0 && size < 1e-3) => short(value),
-        _ => format!("{value:.4}"),
+        _ => fixed(value, 4),
     })
 }
 

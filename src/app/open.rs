@@ -72,7 +72,7 @@ fn read(path: &Path, choices: &Choices, told: impl Fn(ReadError) -> ReadError) -
 /// the window waiting for ever.
 pub fn unshaken(name: impl std::fmt::Display, read: impl FnOnce() -> Loaded) -> Loaded {
     let read = std::panic::catch_unwind(std::panic::AssertUnwindSafe(read));
-    read.unwrap_or_else(|_| Loaded::Refused(format!("{name}: the reader failed on this file")))
+    read.unwrap_or_else(|_| Loaded::Refused(tr!("{name}: the reader failed on this file", name)))
 }
 
 /// Where a file is found again from any folder that the program is started in.
@@ -184,7 +184,10 @@ fn from_reading(
         spectra.iter_mut().for_each(photons::to_power);
     }
     if spectra.is_empty() && images.is_empty() {
-        return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
+        return Loaded::Refused(tr!(
+            "{file}: found no spectrum, expected at least one",
+            file
+        ));
     }
     let mut opened = Opened {
         path,

@@ -5,7 +5,7 @@ use std::{path::Path, sync::Arc};
 use super::{App, Entry};
 use crate::{
     color::{ColourMatching, Observer},
-    io::{many::many, read_path},
+    io::read_path,
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -27,9 +27,11 @@ pub fn observer_of_file(path: &Path) -> Result<Observer, String> {
 /// What was found and what was expected.
 fn observer_of(name: &str, source: &str, three: &[&NamedSpectrum]) -> Result<Observer, String> {
     let &[first, second, third] = three else {
-        return Err(format!(
-            "found {}, expected three functions of wavelength: x, y, z or red, green, blue",
-            many(three.len(), "column", "columns")
+        return Err(tr!(
+            "found {n} column, expected three functions of wavelength: x, y, z or red, green, blue"
+                | "found {n} columns, expected three functions of wavelength: x, y, z or red, \
+                   green, blue"
+                    % three.len()
         ));
     };
     let mut ordered = [first, second, third];

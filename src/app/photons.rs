@@ -52,10 +52,10 @@ pub(super) fn to_power(spectrum: &mut NamedSpectrum) {
         return;
     };
     spectrum.samples = samples;
-    spectrum.notes.push(format!(
-        "photons turned into power: each value in {} times {} / wavelength in nm",
-        spectrum.unit,
-        super::ticks::short(factor)
+    spectrum.notes.push(tr!(
+        "photons turned into power: each value in {unit} times {factor} / wavelength in nm",
+        unit = spectrum.unit,
+        factor = super::ticks::short(factor)
     ));
     spectrum.unit = unit;
 }

@@ -19,6 +19,7 @@ use super::{
 use crate::{
     color::{Xyz, srgb::Swatch},
     io::one_line,
+    languages::fixed,
     spectrum::{Factor, Line},
     study::{
         Spread,
@@ -47,26 +48,27 @@ impl Told {
     /// of one stage and holds for those behind it is not said again.
     pub fn stage_notes(&self, lit: &ModelledLight) -> Vec<Vec<String>> {
         let named = |nm: f64| match self.known.safe(nm) {
-            Some(name) => format!("{nm:.1} nm ({name})"),
-            None => format!("{nm:.1} nm"),
+            Some(name) => format!("{} nm ({name})", fixed(nm, 1)),
+            None => format!("{} nm", fixed(nm, 1)),
         };
         let (mut before, mut said) = (&lit.derived.measured, Vec::new());
         let mut all = self.remarks.clone();
         for (notes, step) in all.iter_mut().zip(&self.passage.steps) {
             let mut both = before.iter().zip(&step.exact);
             if both.any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before) {
-                notes.push(format!(
-                    "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
+                notes.push(tr!(
+                    "values above {most}: a share of light is at most 1. Are they per cent?",
+                    most = short(LARGEST_SHARE)
                 ));
             }
             before = &step.exact;
             for met in &step.met {
-                notes.push(format!(
-                    "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
-                     dip lets through.",
-                    named(met.line_nm),
-                    named(met.dip_nm),
-                    100.0 * met.depth
+                notes.push(tr!(
+                    "the line at {line} stands on a dip at {dip} {depth} % deep; it is multiplied \
+                     by what the dip lets through.",
+                    line = named(met.line_nm),
+                    dip = named(met.dip_nm),
+                    depth = fixed(100.0 * met.depth, 0)
                 ));
             }
             for nm in step.below_zero.iter().chain(&step.turned) {
@@ -77,9 +79,12 @@ impl Told {
                 said.push(*nm);
                 let place = named(*nm);
                 notes.push(if step.turned.contains(nm) {
-                    format!("its share is below zero at {place} and turns the line there negative.")
+                    tr!(
+                        "its share is below zero at {place} and turns the line there negative.",
+                        place
+                    )
                 } else {
-                    format!("the dip at {place} takes the total below zero.")
+                    tr!("the dip at {place} takes the total below zero.", place)
                 });
             }
         }

@@ -13,9 +13,10 @@ use super::{
     product_report::spread_json,
     studies::{CHECK_SET, Field, RaceAsk},
     study_report::{errors, lines_json, lines_words, program},
+    ticks::short,
 };
 use crate::{
-    io::{many::many, one_line},
+    io::one_line,
     study::{
         Measure, Race, Spread,
         race::{Judged, Racer, Row},
@@ -26,10 +27,10 @@ use crate::{
 pub fn field_words(field: &Field) -> String {
     match field {
         Field::One(entry) => entry.0.name().to_owned(),
-        Field::Shipped => "all shipped lights".to_owned(),
-        Field::Class(class) => format!("shipped lights: {}", class.word()),
-        Field::Group(group) => format!("group {group}"),
-        Field::These(entries) => many(entries.len(), "own light", "own lights"),
+        Field::Shipped => said!("all shipped lights").to_owned(),
+        Field::Class(class) => tr!("shipped lights: {class}", class = class.word()),
+        Field::Group(group) => tr!("group {group}", group),
+        Field::These(entries) => tr!("{n} own light" | "{n} own lights" % entries.len()),
     }
 }
 
@@ -220,19 +221,20 @@ fn judged_json(ask: &RaceAsk, race: &Race) -> Option<Value> {
 /// Where the figures of a race come from, line by line.
 pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
     vec![
-        format!("field: {}", one_line(&field_words(&ask.field))),
-        format!(
-            "settings: {}-{} nm, {}, surfaces {}, check {}, {}; wins are by delta_e_patches",
-            ask.band.min_nm(),
-            ask.band.max_nm(),
-            ask.observer.title(),
-            ask.patches.words(),
-            CHECK_SET,
-            lines_words(ask.spikes),
+        tr!("field: {field}", field = one_line(&field_words(&ask.field))),
+        tr!(
+            "settings: {min}-{max} nm, {observer}, surfaces {surfaces}, check {check}, {lines}; \
+             wins are by delta_e_patches",
+            min = short(ask.band.min_nm()),
+            max = short(ask.band.max_nm()),
+            observer = ask.observer.title(),
+            surfaces = ask.patches.words(),
+            check = CHECK_SET,
+            lines = lines_words(ask.spikes)
         ),
-        format!(
-            "written by: Spectral Explorer {}",
-            env!("CARGO_PKG_VERSION")
+        tr!(
+            "written by: Spectral Explorer {version}",
+            version = env!("CARGO_PKG_VERSION")
         ),
     ]
 }

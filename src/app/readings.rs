@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::{entry::Entry, library::Library, line_names::Identified, measured::measurement};
 use crate::{
+    languages,
     measurements::{
         CountsSign, FlatTop, Measurement, MeasurementError, Quantity, counts_sign, flat_tops,
     },
@@ -12,8 +13,9 @@ use crate::{
 };
 
 /// What stands in place of the figures of counts.
-pub const COUNTS: &str = "Counts, not light: the instrument's response is still in it. Correct with a \
-                          known light.";
+pub const COUNTS: &str = later!(
+    "Counts, not light: the instrument's response is still in it. Correct with a known light."
+);
 
 /// Whether a spectrum of the user's own is surely what an instrument counted.
 pub fn is_counts(entry: &Entry) -> bool {
@@ -79,10 +81,17 @@ impl Reading {
         let mut said = Vec::new();
         if let Some(sign) = &self.counts {
             said.push(match (self.is_taken_as_light, sign.is_certain) {
-                (true, _) => format!("Counts ({}), taken as a light all the same.", sign.why),
-                (false, true) => COUNTS.to_owned(),
+                (true, _) => tr!(
+                    "Counts ({why}), taken as a light all the same.",
+                    why = sign.why
+                ),
+                (false, true) => languages::said(COUNTS).to_owned(),
                 (false, false) => {
-                    format!("{COUNTS} ({}; --as-light says it is a light.)", sign.why)
+                    tr!(
+                        "{counts} ({why}; --as-light says it is a light.)",
+                        counts = languages::said(COUNTS),
+                        why = sign.why
+                    )
                 }
             });
         }
@@ -93,13 +102,13 @@ impl Reading {
             .map(|top| format!("{}-{}", top.from_nm, top.to_nm))
             .collect();
         if !tops.is_empty() {
-            said.push(format!(
-                "Clipped at {} nm: the line's strength is lost.",
-                tops.join(", ")
+            said.push(tr!(
+                "Clipped at {places} nm: the line's strength is lost.",
+                places = tops.join(", ")
             ));
         }
         if self.clipped.iter().any(|top| !top.is_sure) {
-            said.push("The top may be clipped: it stands at the end of 8 bit.".to_owned());
+            said.push(said!("The top may be clipped: it stands at the end of 8 bit.").to_owned());
         }
         said
     }

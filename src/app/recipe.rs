@@ -8,6 +8,7 @@ use super::combining::act::Act;
 use crate::{
     color::Srgb,
     design::{mixture::Source, recover::Method},
+    languages::fixed,
     spectrum::Rect,
 };
 
@@ -93,7 +94,7 @@ impl Gel {
         let name = name_of(&self.key);
         match self.thickness {
             1.0 => name,
-            thickness => format!("{name} \u{d7} {thickness:.2}"),
+            thickness => format!("{name} \u{d7} {}", fixed(thickness, 2)),
         }
     }
 }
@@ -127,9 +128,15 @@ impl Given {
     pub fn words(&self) -> String {
         match self {
             Self::Srgb(rgb) => Srgb(*rgb).hex(),
-            Self::Xyz([x, y, z]) => format!("XYZ {x:.1}, {y:.1}, {z:.1}"),
-            Self::Lab([l, a, b]) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
-            Self::Xyy([x, y, whole]) => format!("xyY {x:.4}, {y:.4}, {whole:.1}"),
+            Self::Xyz([x, y, z]) => {
+                format!("XYZ {}, {}, {}", fixed(x, 1), fixed(y, 1), fixed(z, 1))
+            }
+            Self::Lab([l, a, b]) => {
+                format!("L*a*b* {}, {}, {}", fixed(l, 1), fixed(a, 1), fixed(b, 1))
+            }
+            Self::Xyy([x, y, whole]) => {
+                format!("xyY {}, {}, {}", fixed(x, 4), fixed(y, 4), fixed(whole, 1))
+            }
             Self::Of(key) => key.clone(),
         }
     }

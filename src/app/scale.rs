@@ -38,8 +38,8 @@ impl Scale {
     /// Short words for the switch and for exports.
     pub fn words(self) -> &'static str {
         match self {
-            Self::AsMeasured => "as measured",
-            Self::PeakOne => "peak 1",
+            Self::AsMeasured => said!("as measured"),
+            Self::PeakOne => said!("peak 1"),
             Self::LuminanceHundred => "Y 100",
             Self::HundredLux => "100 lx",
             Self::OneWatt => "1 W",
@@ -49,15 +49,17 @@ impl Scale {
     /// What the choice means, in a sentence.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::AsMeasured => "The numbers of the file, in its own unit.",
-            Self::PeakOne => "The largest value of the table becomes 1.",
+            Self::AsMeasured => said!("The numbers of the file, in its own unit."),
+            Self::PeakOne => said!("The largest value of the table becomes 1."),
             Self::LuminanceHundred => {
-                "The sum with the CIE 1931 y-bar over 360-830 nm becomes 100."
+                said!("The sum with the CIE 1931 y-bar over 360-830 nm becomes 100.")
             }
             Self::HundredLux => {
-                "The values become W m⁻² nm⁻¹ of an illuminance of 100 lx (683 lm/W)."
+                said!("The values become W m⁻² nm⁻¹ of an illuminance of 100 lx (683 lm/W).")
             }
-            Self::OneWatt => "The integral over the table becomes 1 W; the values are W nm⁻¹.",
+            Self::OneWatt => {
+                said!("The integral over the table becomes 1 W; the values are W nm⁻¹.")
+            }
         }
     }
 
@@ -100,10 +102,10 @@ impl Scale {
         }
         match self {
             Self::AsMeasured => spectrum.unit.clone(),
-            Self::PeakOne => "share of the peak".to_owned(),
+            Self::PeakOne => said!("share of the peak").to_owned(),
             Self::LuminanceHundred => "Y = 100".to_owned(),
-            Self::HundredLux => "W m⁻² nm⁻¹ at 100 lx".to_owned(),
-            Self::OneWatt => "W nm⁻¹ of 1 W".to_owned(),
+            Self::HundredLux => said!("W m⁻² nm⁻¹ at 100 lx").to_owned(),
+            Self::OneWatt => said!("W nm⁻¹ of 1 W").to_owned(),
         }
     }
 }

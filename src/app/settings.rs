@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::pages::knob::{Knob, Reach, keep_in_reach, knob};
+use super::{
+    pages::knob::{Knob, Reach, keep_in_reach, knob},
+    ticks::short,
+};
 use crate::{
     color::Observer,
     spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
@@ -13,8 +16,11 @@ use crate::{
 pub fn range_words(asked: [f64; 2], taken: Band) -> Option<String> {
     let refused = Band::try_from(asked).err()?;
     let [min_nm, max_nm] = <[f64; 2]>::from(taken);
-    Some(format!(
-        "The model's {refused}; {min_nm} to {max_nm} nm is taken."
+    Some(tr!(
+        "The model's {refused}; {min} to {max} nm is taken.",
+        refused,
+        min = short(min_nm),
+        max = short(max_nm)
     ))
 }
 
@@ -83,17 +89,17 @@ impl Default for Settings {
 }
 
 impl Settings {
-    pub const ORDER: Knob<Self> = knob!(order: "waves", Reach::Within(0.0, 100.0), 0 "",
-        "Waves of the smooth part.");
-    pub const THRESHOLD: Knob<Self> = knob!(threshold_percent: "lines above",
+    pub const ORDER: Knob<Self> = knob!(order: later!("waves"), Reach::Within(0.0, 100.0), 0 "",
+        later!("Waves of the smooth part."));
+    pub const THRESHOLD: Knob<Self> = knob!(threshold_percent: later!("lines above"),
         Reach::Within(0.01, 50.0), 2 " %",
-        "Least share of the total power that a line must carry, percent.");
-    pub const WIDTH: Knob<Self> = knob!(max_width_nm: "widest line",
+        later!("Least share of the total power that a line must carry, percent."));
+    pub const WIDTH: Knob<Self> = knob!(max_width_nm: later!("widest line"),
         Reach::Within(1.0, 50.0), 2 " nm",
-        "Full width at half maximum of the widest line, nm.");
-    pub const GRADIENT: Knob<Self> = knob!(gradient_percent: "least slope of lines",
+        later!("Full width at half maximum of the widest line, nm."));
+    pub const GRADIENT: Knob<Self> = knob!(gradient_percent: later!("least slope of lines"),
         Reach::Within(0.1, 50.0), 2 " %/nm",
-        "Least slope of a line's flanks, percent of the largest value per nm.");
+        later!("Least slope of a line's flanks, percent of the largest value per nm."));
 
     /// Its numbers, each with its option on the command line; "" where it has none.
     pub const KNOBS: [(&str, Knob<Self>); 4] = [

@@ -98,8 +98,11 @@ impl ShortLine {
     /// What rounding costs, in words.
     pub fn cost(&self) -> String {
         match self.delta_e {
-            Some(delta_e) => format!("rounding moves the colour by dE {}", short(delta_e)),
-            None => "not rounded, as it has no colour".to_owned(),
+            Some(delta_e) => tr!(
+                "rounding moves the colour by dE {difference}",
+                difference = short(delta_e)
+            ),
+            None => said!("not rounded, as it has no colour").to_owned(),
         }
     }
 }

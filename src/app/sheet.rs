@@ -188,9 +188,12 @@ impl Page {
             self.words(SIZES[0], palette.faint, rest.trim());
         }
         if document.second.is_none() {
-            let scale = format!("Scale of the curves: {}.", document.scale.words());
-            let source = &document.light.spectrum.source;
-            let words = format!("{scale} Source: {source}");
+            let scale = tr!(
+                "Scale of the curves: {scale}.",
+                scale = document.scale.words()
+            );
+            let source = tr!("Source: {source}", source = document.light.spectrum.source);
+            let words = format!("{scale} {source}");
             self.words(SIZES[1], palette.faint, &words);
         }
         self.y += 4.0;
@@ -220,11 +223,15 @@ impl Page {
         let step = 1.32 * SIZES[0];
         let (titles, left_out): (_, &[&str]) = match &shown.sides[..] {
             [first, second, ..] => (
-                [&first.name, &second.name, "which is better for what"],
+                [&first.name, &second.name, said!("which is better for what")],
                 &OF_ONE,
             ),
             _ => (
-                ["measured", "model", "what it says of the light as measured"],
+                [
+                    said!("measured"),
+                    said!("model"),
+                    said!("what it says of the light as measured"),
+                ],
                 &[],
             ),
         };
@@ -303,11 +310,15 @@ impl Page {
         self.y += 34.0;
         let ink = Palette::of(Theme::Light).faint;
         let words = match &shown.sides[..] {
-            [first, second, ..] => format!(
-                "Surfaces, left under {}, right under {}, as eyes used to each see them.",
-                first.name, second.name
+            [first, second, ..] => tr!(
+                "Surfaces, left under {first}, right under {second}, as eyes used to each see \
+                 them.",
+                first = first.name,
+                second = second.name
             ),
-            _ => "Surfaces under the light, left as measured, right by the model.".to_owned(),
+            _ => {
+                said!("Surfaces under the light, left as measured, right by the model.").to_owned()
+            }
         };
         self.text([MARGIN, self.y], SIZES[1], ink, &words);
         self.y += 6.0;
@@ -322,17 +333,23 @@ impl Page {
         match &document.second {
             Some(second) => {
                 let sources = [light, &second.spectrum];
-                let of = |s: &NamedSpectrum| format!("Source of {}: {}", s.name, s.source);
+                let of = |s: &NamedSpectrum| {
+                    tr!(
+                        "Source of {name}: {source}",
+                        name = s.name,
+                        source = s.source
+                    )
+                };
                 notes.splice(0..0, sources.map(of));
             }
             None => {
                 let model = &app.derived().model;
                 let line = share::short_line(model, document.settings.observer);
-                let words = format!(
-                    "Model, {} numbers, also in the QR code ({}): {}",
-                    model.numbers(),
-                    line.cost(),
-                    line.text
+                let words = tr!(
+                    "Model, {count} numbers, also in the QR code ({cost}): {text}",
+                    count = model.numbers(),
+                    cost = line.cost(),
+                    text = line.text
                 );
                 self.words(SIZES[1], palette.text, &words);
             }

@@ -27,7 +27,10 @@ use super::{
     surfaces::Surfaces,
     tables::Tables,
 };
-use crate::spectrum::{Kind, SpikeEdits};
+use crate::{
+    languages::said,
+    spectrum::{Kind, SpikeEdits},
+};
 
 pub use deriving::derive;
 pub(super) use deriving::derived_of;
@@ -218,12 +221,16 @@ impl App {
         let gesture = command.gesture();
         match command {
             Command::Undo => {
-                let words = self.undo_words().map(|words| format!("Undone: {words}."));
-                return self.step(History::undo, words, "Nothing to undo.");
+                let words = self
+                    .undo_words()
+                    .map(|words| tr!("Undone: {words}.", words));
+                return self.step(History::undo, words, said!("Nothing to undo."));
             }
             Command::Redo => {
-                let words = self.redo_words().map(|words| format!("Redone: {words}."));
-                return self.step(History::redo, words, "Nothing to redo.");
+                let words = self
+                    .redo_words()
+                    .map(|words| tr!("Redone: {words}.", words));
+                return self.step(History::redo, words, said!("Nothing to redo."));
             }
             Command::ImageIsBack(image) => return self.image_is_back(&image),
             Command::Edit(settings) => self.document.settings = settings.clamped(),
@@ -389,9 +396,11 @@ impl App {
                 }
                 self.say(
                     Tone::Info,
-                    format!(
-                        "{} is neither a light nor a reflectance ({kind}): drawn as an overlay.",
-                        entry.name()
+                    tr!(
+                        "{name} is neither a light nor a reflectance ({kind}): drawn as an \
+                         overlay.",
+                        name = entry.name(),
+                        kind = said(kind.word())
                     ),
                 );
             }

@@ -13,9 +13,11 @@ use super::{
     export,
     state::App,
     studies::{About, AuctionAsk, SweepAsk},
+    ticks::short,
 };
 use crate::{
     io::{Provenance, many::numbers, one_line},
+    languages::with_sign,
     spectrum::{Kind, SpikeSettings},
     study::{
         Auction, Measure, Sweep, SweepPoint,
@@ -79,12 +81,20 @@ fn about_json(about: &About) -> Value {
 
 /// The same in words.
 pub fn lines_words(spikes: SpikeSettings) -> String {
-    format!(
-        "lines from {} % of the power and up to {} nm wide{}",
-        super::ticks::short(100.0 * spikes.threshold),
-        spikes.max_width_nm,
-        if spikes.dips { ", dips too" } else { "" }
-    )
+    let share = short(100.0 * spikes.threshold);
+    let width = with_sign(spikes.max_width_nm.to_string());
+    match spikes.dips {
+        true => tr!(
+            "lines from {share} % of the power and up to {width} nm wide, dips too",
+            share,
+            width
+        ),
+        false => tr!(
+            "lines from {share} % of the power and up to {width} nm wide",
+            share,
+            width
+        ),
+    }
 }
 
 /// Comment lines about the spectrum that a study is of.

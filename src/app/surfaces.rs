@@ -1,12 +1,12 @@
 //! How many of all measured surfaces that ship tell a model from its light.
 
-use super::{derived::Derived, tables::Tables, verdicts::HARD_TO_SEE};
+use super::{derived::Derived, tables::Tables, ticks::short, verdicts::HARD_TO_SEE};
 use crate::{
     color::{
         Lab, delta_e_2000,
         patches::{difference, labs_into},
     },
-    io::many::many,
+    languages::fixed,
 };
 
 /// How many of all measured surfaces tell a model from its light.
@@ -51,29 +51,42 @@ impl Surfaces {
 
     /// The same without the surface that differs most.
     pub fn brief(&self) -> String {
-        let sentence = self.sentence();
-        let end = format!(" ({}).", self.worst);
-        let brief = sentence.strip_suffix(&end).unwrap_or(&sentence);
-        format!("{}.", brief.trim_end_matches('.'))
+        format!("{}.", self.clause())
     }
 
     /// A sentence: "Of 401 measured surfaces 12 differ by 1 or more, at most 2.19 (CES81)."
     pub fn sentence(&self) -> String {
-        let Self {
-            count,
-            beyond_1,
-            delta_e_max,
-            worst,
-        } = self;
-        let beyond = match beyond_1 {
-            0 => "none differs".to_owned(),
-            1 => "1 differs".to_owned(),
-            more => format!("{more} differ"),
-        };
-        let all = many(*count, "measured surface", "measured surfaces");
-        format!(
-            "Of {all} {beyond} by ΔE₀₀ {HARD_TO_SEE} or more, at most {delta_e_max:.2} ({worst})."
-        )
+        format!("{} ({}).", self.clause(), self.worst)
+    }
+
+    fn clause(&self) -> String {
+        let (count, hard) = (self.count, short(HARD_TO_SEE));
+        let most = fixed(self.delta_e_max, 2);
+        match self.beyond_1 {
+            0 => tr!(
+                "Of {n} measured surface none differs by ΔE₀₀ {hard} or more, at most {most}"
+                    | "Of {n} measured surfaces none differs by ΔE₀₀ {hard} or more, at most {most}"
+                        % count,
+                hard,
+                most
+            ),
+            1 => tr!(
+                "Of {n} measured surface 1 differs by ΔE₀₀ {hard} or more, at most {most}"
+                    | "Of {n} measured surfaces 1 differs by ΔE₀₀ {hard} or more, at most {most}"
+                        % count,
+                hard,
+                most
+            ),
+            several => tr!(
+                "Of {n} measured surface {several} differ by ΔE₀₀ {hard} or more, at most {most}"
+                    | "Of {n} measured surfaces {several} differ by ΔE₀₀ {hard} or more, at most \
+                       {most}"
+                        % count,
+                several,
+                hard,
+                most
+            ),
+        }
     }
 }
 

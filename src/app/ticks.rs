@@ -1,5 +1,7 @@
 //! Round numbers for axes, and short ways to write numbers.
 
+use crate::languages::with_sign;
+
 /// Significant digits of [`short`].
 const SIGNIFICANT: i32 = 4;
 
@@ -145,7 +147,7 @@ pub fn tick_labels(ticks: &[f64]) -> Vec<String> {
             format!("{tick:.*e}", decimals as usize)
         }
     };
-    ticks.iter().map(write).collect()
+    ticks.iter().map(write).map(with_sign).collect()
 }
 
 /// A number in few characters: `0.0123`, `1.2e-7`, `12300`, `-5`.
@@ -164,10 +166,11 @@ pub fn short(number: f64) -> String {
     let rounded: f64 = scientific.parse().unwrap_or(number);
     if (SMALLEST_PLAIN..LARGEST_PLAIN).contains(&rounded.abs()) {
         let decimals = (SIGNIFICANT - 1 - exponent(rounded.abs())).max(0);
-        without_trailing_zeros(&format!("{number:.*}", decimals as usize)).to_owned()
+        let digits = format!("{number:.*}", decimals as usize);
+        with_sign(without_trailing_zeros(&digits).to_owned())
     } else {
         let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-        format!("{}e{exponent}", without_trailing_zeros(mantissa))
+        with_sign(format!("{}e{exponent}", without_trailing_zeros(mantissa)))
     }
 }
 

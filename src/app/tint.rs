@@ -44,10 +44,10 @@ pub fn whiteness(cct: Cct) -> Whiteness {
 pub fn tint(cct: Cct) -> &'static str {
     let is_white = whiteness(cct) == Whiteness::White;
     match cct.duv {
-        d if d > FAINT_DUV && is_white => "slightly green",
-        d if d > FAINT_DUV => "greenish",
-        d if d < -FAINT_DUV && is_white => "slightly pink",
-        d if d < -FAINT_DUV => "pinkish",
+        d if d > FAINT_DUV && is_white => said!("slightly green"),
+        d if d > FAINT_DUV => said!("greenish"),
+        d if d < -FAINT_DUV && is_white => said!("slightly pink"),
+        d if d < -FAINT_DUV => said!("pinkish"),
         _ => "",
     }
 }
@@ -62,7 +62,7 @@ pub fn kelvin_words(kelvin: f64) -> String {
 pub fn title_words(cct: Cct) -> String {
     let kelvin = kelvin_words(cct.kelvin);
     match (whiteness(cct), tint(cct)) {
-        (Whiteness::Coloured, _) => format!("none: coloured, nearest {kelvin}"),
+        (Whiteness::Coloured, _) => tr!("none: coloured, nearest {kelvin}", kelvin),
         (_, "") => kelvin,
         (_, tint) => format!("{kelvin}, {tint}"),
     }
@@ -72,33 +72,37 @@ pub fn title_words(cct: Cct) -> String {
 pub fn name(cct: Cct) -> String {
     match whiteness(cct) {
         Whiteness::White => verdicts::of_cct(cct.kelvin).to_owned(),
-        Whiteness::Tinted => format!("{}, beside the whites", tint(cct)),
-        Whiteness::Coloured => "a coloured light, no white".to_owned(),
+        Whiteness::Tinted if cct.duv > 0.0 => said!("greenish, beside the whites").to_owned(),
+        Whiteness::Tinted => said!("pinkish, beside the whites").to_owned(),
+        Whiteness::Coloured => said!("a coloured light, no white").to_owned(),
     }
 }
 
 /// What Duv tells.
 pub fn duv_words(cct: Cct) -> String {
-    let tint = match tint(cct) {
-        "" => "within 0.001 of the line of blackbodies",
-        tint => tint,
-    };
-    match whiteness(cct) {
-        Whiteness::White => tint.to_owned(),
-        Whiteness::Tinted => format!("{tint}: beside the whites of ANSI C78.377"),
-        Whiteness::Coloured => {
-            let side = if cct.duv > 0.0 { "above" } else { "below" };
-            format!("far {side} the line of blackbodies: no white")
+    let is_above = cct.duv > 0.0;
+    let words = match (whiteness(cct), tint(cct)) {
+        (Whiteness::White, "") => said!("within 0.001 of the line of blackbodies"),
+        (Whiteness::White, tint) => tint,
+        (Whiteness::Tinted, _) if is_above => {
+            said!("greenish: beside the whites of ANSI C78.377")
         }
-    }
+        (Whiteness::Tinted, _) => said!("pinkish: beside the whites of ANSI C78.377"),
+        (Whiteness::Coloured, _) if is_above => {
+            said!("far above the line of blackbodies: no white")
+        }
+        (Whiteness::Coloured, _) => said!("far below the line of blackbodies: no white"),
+    };
+    words.to_owned()
 }
 
 /// A light with its article, for the beginning of a sentence: "A greenish light".
 pub fn light_words(cct: Cct) -> String {
     match whiteness(cct) {
-        Whiteness::White => "A white light".to_owned(),
-        Whiteness::Tinted => format!("A {} light", tint(cct)),
-        Whiteness::Coloured => "A coloured light".to_owned(),
+        Whiteness::White => said!("A white light").to_owned(),
+        Whiteness::Tinted if cct.duv > 0.0 => said!("A greenish light").to_owned(),
+        Whiteness::Tinted => said!("A pinkish light").to_owned(),
+        Whiteness::Coloured => said!("A coloured light").to_owned(),
     }
 }
 

@@ -18,64 +18,72 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
         return opened;
     }
     if before.light.key != after.light.key {
-        words.push(format!(
-            "light {} to {}",
-            before.light.name(),
-            after.light.name()
+        words.push(tr!(
+            "light {before} to {after}",
+            before = before.light.name(),
+            after = after.light.name()
         ));
     }
     if before.second.as_ref().map(|e| &e.key) != after.second.as_ref().map(|e| &e.key) {
         words.push(match &after.second {
-            Some(second) => format!("compared with {}", second.name()),
-            None => "no second light".to_owned(),
+            Some(second) => tr!("compared with {light}", light = second.name()),
+            None => said!("no second light").to_owned(),
         });
     }
     if before.light.key == after.light.key && before.given.is_some() && after.given.is_none() {
-        words.push("analysed anew".to_owned());
+        words.push(said!("analysed anew").to_owned());
     }
     words.extend(of_settings(before.settings, after.settings));
     words.extend(of_spectra(before, after));
     let name = |entry: &Option<Arc<Entry>>| {
         let entry = entry.as_ref();
-        entry.map_or_else(|| "none".to_owned(), |entry| entry.name().to_owned())
+        entry.map_or_else(|| said!("none").to_owned(), |entry| entry.name().to_owned())
     };
     if name(&before.factor) != name(&after.factor) {
-        words.push(format!("surface {}", name(&after.factor)));
+        words.push(tr!("surface {name}", name = name(&after.factor)));
     } else if before.subject != after.subject {
-        words.push(format!("model of {}", after.subject_entry().name()));
+        words.push(tr!("model of {name}", name = after.subject_entry().name()));
     }
     if before.overlays.len() != after.overlays.len() {
-        words.push(format!("{} overlays", after.overlays.len()));
+        words.push(tr!("{count} overlays", count = after.overlays.len()));
     }
     if before.edits != after.edits {
-        words.push("a line changed by hand".to_owned());
+        words.push(said!("a line changed by hand").to_owned());
     }
     if before.patch_set != after.patch_set {
-        words.push("another set of surfaces".to_owned());
+        words.push(said!("another set of surfaces").to_owned());
     } else if before.own_patches != after.own_patches {
-        words.push("own surfaces added or removed".to_owned());
+        words.push(said!("own surfaces added or removed").to_owned());
     } else if before.patch != after.patch {
-        words.push("a surface chosen".to_owned());
+        words.push(said!("a surface chosen").to_owned());
     }
     if before.scale != after.scale {
-        words.push(format!("scale {}", after.scale.words()));
+        words.push(tr!("scale {scale}", scale = after.scale.words()));
     }
     if before.weight_factor != after.weight_factor {
-        words.push(format!("weight factor {} nm", short(after.weight_factor)));
+        words.push(tr!(
+            "weight factor {factor} nm",
+            factor = short(after.weight_factor)
+        ));
     }
     if before.view != after.view {
         words.push(of_view(before.view, after.view).to_owned());
     }
     if before.products != after.products {
-        words.push("what light meets".to_owned());
+        words.push(said!("what light meets").to_owned());
     }
     let name_of = |key: &str| after.name_of(key);
     let pages = after.pages.change(&before.pages, &name_of);
     words.extend(pages.map(|(_, words)| words));
     match words.len() {
-        0 => "a change".to_owned(),
+        0 => said!("a change").to_owned(),
         1 | 2 => words.join(", "),
-        more => format!("{}, {} and {} more", words[0], words[1], more - 2),
+        more => tr!(
+            "{first}, {second} and {count} more",
+            first = words[0],
+            second = words[1],
+            count = more - 2
+        ),
     }
 }
 
@@ -102,8 +110,12 @@ fn opened(before: &Document, after: &Document) -> Option<String> {
         }
     }
     Some(match (&new[..], &different[..]) {
-        ([one], _) => format!("opened \"{}\"", one.name()),
-        (all, [file]) => format!("opened {} spectra of {}", all.len(), file.name),
+        ([one], _) => tr!("opened \"{name}\"", name = one.name()),
+        (all, [file]) => tr!(
+            "opened {count} spectra of {file}",
+            count = all.len(),
+            file = file.name
+        ),
         (_, files) => {
             let folder = |file: &Arc<SourceFile>| Some(file.path.as_ref()?.parent()?.to_owned());
             let first = folder(files[0]);
@@ -112,8 +124,14 @@ fn opened(before: &Document, after: &Document) -> Option<String> {
                 .as_deref()
                 .and_then(|f| f.file_name())
                 .filter(|_| is_one);
-            let from = name.map_or_else(String::new, |n| format!(" from {}", n.to_string_lossy()));
-            format!("opened {} files{from}", files.len())
+            match name {
+                Some(folder) => tr!(
+                    "opened {count} files from {folder}",
+                    count = files.len(),
+                    folder = folder.to_string_lossy()
+                ),
+                None => tr!("opened {count} files", count = files.len()),
+            }
         }
     })
 }
@@ -122,17 +140,21 @@ fn of_settings(before: Settings, after: Settings) -> Vec<String> {
     let knobs = Settings::KNOBS.map(|(_, knob)| moved_words(&[knob], &before, &after));
     let mut words: Vec<String> = knobs.into_iter().flatten().collect();
     if before.basis != after.basis {
-        words.push(format!("{} series", after.basis.word()));
+        words.push(tr!("{basis} series", basis = after.basis.word()));
     }
     if before.band != after.band {
         let band = after.band;
-        words.push(format!("range {} to {} nm", band.min_nm(), band.max_nm()));
+        words.push(tr!(
+            "range {min} to {max} nm",
+            min = short(band.min_nm()),
+            max = short(band.max_nm())
+        ));
     }
     if before.wide_lines != after.wide_lines {
         let how = if after.wide_lines {
-            "lines as wide as they are"
+            said!("lines as wide as they are")
         } else {
-            "ideal lines"
+            said!("ideal lines")
         };
         words.push(how.to_owned());
     }
@@ -146,7 +168,7 @@ fn of_settings(before: Settings, after: Settings) -> Vec<String> {
         knob.set(&mut rest, knob.get(&mut { after }));
     }
     if rest != after {
-        words.push("settings of the model".to_owned());
+        words.push(said!("settings of the model").to_owned());
     }
     words
 }
@@ -157,33 +179,33 @@ fn of_spectra(before: &Document, after: &Document) -> Option<String> {
     let gone = was.iter().find(|e| !is.iter().any(|b| b.key == e.key));
     match (new, gone) {
         (Some(entry), _) => {
-            let did = match entry.origin.recipe() {
-                Some(_) => "made",
-                None => "added",
-            };
-            Some(format!("{did} \"{}\"", entry.name()))
+            let name = entry.name();
+            Some(match entry.origin.recipe() {
+                Some(_) => tr!("made \"{name}\"", name),
+                None => tr!("added \"{name}\"", name),
+            })
         }
-        (None, Some(entry)) => Some(format!("{} taken out", entry.name())),
+        (None, Some(entry)) => Some(tr!("{name} taken out", name = entry.name())),
         (None, None) if before.images.len() < after.images.len() => {
-            Some("an image joined".to_owned())
+            Some(said!("an image joined").to_owned())
         }
         (None, None) if before.images.len() > after.images.len() => {
-            Some("an image taken out".to_owned())
+            Some(said!("an image taken out").to_owned())
         }
         (None, None) => {
             let changed = is.iter().zip(was).find(|(a, b)| !Arc::ptr_eq(a, b));
-            changed.map(|(entry, _)| format!("{} changed", entry.name()))
+            changed.map(|(entry, _)| tr!("{name} changed", name = entry.name()))
         }
     }
 }
 
 fn of_view(before: View, after: View) -> &'static str {
     if before.height != after.height {
-        "heights of the plot"
+        said!("heights of the plot")
     } else if before.adapt_patches != after.adapt_patches {
-        "adaptation of the surfaces"
+        said!("adaptation of the surfaces")
     } else {
-        "layers of the plot"
+        said!("layers of the plot")
     }
 }
 

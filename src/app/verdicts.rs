@@ -15,7 +15,10 @@
 //!
 //! Ra and Rf are means: their words speak of the mean, and the worst sample stands beside them.
 
-use crate::study::products::MATCH_DELTA_E;
+use crate::{
+    languages::said,
+    {languages::said, spectrum::Kind, study::products::MATCH_DELTA_E},
+};
 
 /// How large a difference is: of colours to the eye, of spectra to an instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,34 +59,38 @@ const fn seen_words([word, verdict, seen, meaning, behind_slit]: [&'static str; 
 /// In the order of [`Seen::ALL`].
 const SEEN: [SeenWords; 4] = [
     seen_words([
-        "Hard to tell",
-        "look alike",
-        "hard to see",
-        "CIEDE2000 below 1: hard to see, not invisible. Half of the observers see 0.8, practised \
-         ones less (Paravina et al. 2015, ISO/TR 28642).",
-        "Below 2 %: within the uncertainty of good spectroradiometers.",
+        later!("Hard to tell"),
+        later!("look alike"),
+        later!("hard to see"),
+        later!(
+            "CIEDE2000 below 1: hard to see, not invisible. Half of the observers see 0.8, \
+             practised ones less (Paravina et al. 2015, ISO/TR 28642)."
+        ),
+        later!("Below 2 %: within the uncertainty of good spectroradiometers."),
     ]),
     seen_words([
-        "Slight",
-        "differ only side by side",
-        "seen side by side",
-        "CIEDE2000 from 1 to 2: seen where both colours touch. To half of the observers 1.8 is no \
-         match any more (ISO/TR 28642).",
-        "From 2 to 5 %: a good spectroradiometer can tell, a simple one hardly.",
+        later!("Slight"),
+        later!("differ only side by side"),
+        later!("seen side by side"),
+        later!(
+            "CIEDE2000 from 1 to 2: seen where both colours touch. To half of the observers 1.8 \
+             is no match any more (ISO/TR 28642)."
+        ),
+        later!("From 2 to 5 %: a good spectroradiometer can tell, a simple one hardly."),
     ]),
     seen_words([
-        "Clear",
-        "visibly differ",
-        "visible",
-        "CIEDE2000 from 2 to 5: seen if you look for it.",
-        "From 5 to 10 %: a simple spectroradiometer can tell.",
+        later!("Clear"),
+        later!("visibly differ"),
+        later!("visible"),
+        later!("CIEDE2000 from 2 to 5: seen if you look for it."),
+        later!("From 5 to 10 %: a simple spectroradiometer can tell."),
     ]),
     seen_words([
-        "Large",
-        "give different colours",
-        "large",
-        "CIEDE2000 above 5: a large difference, more than the formula is meant for.",
-        "Above 10 %: to an instrument it is another spectrum.",
+        later!("Large"),
+        later!("give different colours"),
+        later!("large"),
+        later!("CIEDE2000 above 5: a large difference, more than the formula is meant for."),
+        later!("Above 10 %: to an instrument it is another spectrum."),
     ]),
 ];
 
@@ -117,32 +124,37 @@ impl Seen {
 
     /// In a word or two, for a badge.
     pub fn word(self) -> &'static str {
-        self.words().word
+        said(self.words().word)
     }
 
     /// Behind a figure, in small letters.
     pub fn seen(self) -> &'static str {
-        self.words().seen
+        said(self.words().seen)
     }
 
     /// Behind two things that are seen.
     pub fn of_two(self) -> &'static str {
-        self.words().verdict
+        said(self.words().verdict)
     }
 
     /// As a verdict on the model of a light, a surface or a filter.
-    pub fn verdict(self, subject: &str) -> String {
-        format!("Model and {subject} {}", self.of_two())
+    pub fn verdict(self, of: Kind) -> String {
+        let verdict = self.of_two();
+        match of {
+            Kind::Reflectance => tr!("Model and surface {verdict}", verdict),
+            Kind::Transmittance => tr!("Model and filter {verdict}", verdict),
+            _ => tr!("Model and light {verdict}", verdict),
+        }
     }
 
     /// What it means to the eye, a sentence or two.
     pub fn meaning(self) -> &'static str {
-        self.words().meaning
+        said(self.words().meaning)
     }
 
     /// What it means to an instrument, a sentence.
     pub fn meaning_behind_slit(self) -> &'static str {
-        self.words().behind_slit
+        said(self.words().behind_slit)
     }
 }
 
@@ -152,15 +164,17 @@ type Borders = &'static [(f64, &'static str)];
 /// The words of the first border that a figure reaches; those of the lowest for no number.
 fn reached(borders: Borders, figure: f64) -> &'static str {
     let found = borders.iter().find(|(border, _)| figure >= *border);
-    found.or(borders.last()).map_or("", |(_, words)| words)
+    found
+        .or(borders.last())
+        .map_or("", |(_, words)| said(words))
 }
 
 const OF_RF: Borders = &[
-    (95.0, "shifts colours very little"),
-    (85.0, "shifts colours a little"),
-    (70.0, "shifts colours visibly"),
-    (50.0, "shifts colours strongly"),
-    (f64::NEG_INFINITY, "distorts colours"),
+    (95.0, later!("shifts colours very little")),
+    (85.0, later!("shifts colours a little")),
+    (70.0, later!("shifts colours visibly")),
+    (50.0, later!("shifts colours strongly")),
+    (f64::NEG_INFINITY, later!("distorts colours")),
 ];
 
 /// Behind a light's name: what it does to colours on average, by Rf.
@@ -168,15 +182,26 @@ pub fn of_rf(rf: f64) -> &'static str {
     reached(OF_RF, rf)
 }
 
+/// The same with the light's name, a clause.
+pub fn shifts_on_average(name: &str, rf: f64) -> String {
+    match rf {
+        rf if rf >= 95.0 => tr!("{name} shifts colours very little on average", name),
+        rf if rf >= 85.0 => tr!("{name} shifts colours a little on average", name),
+        rf if rf >= 70.0 => tr!("{name} shifts colours visibly on average", name),
+        rf if rf >= 50.0 => tr!("{name} shifts colours strongly on average", name),
+        _ => tr!("{name} distorts colours on average", name),
+    }
+}
+
 const OF_RA: Borders = &[
-    (95.0, "test colours hardly shift on average"),
-    (90.0, "test colours shift a little on average"),
-    (80.0, "enough for most work indoors (EN 12464-1)"),
-    (60.0, "test colours shift visibly on average"),
-    (20.0, "test colours shift strongly on average"),
+    (95.0, later!("test colours hardly shift on average")),
+    (90.0, later!("test colours shift a little on average")),
+    (80.0, later!("enough for most work indoors (EN 12464-1)")),
+    (60.0, later!("test colours shift visibly on average")),
+    (20.0, later!("test colours shift strongly on average")),
     (
         f64::NEG_INFINITY,
-        "test colours shift very strongly on average",
+        later!("test colours shift very strongly on average"),
     ),
 ];
 
@@ -186,28 +211,69 @@ pub fn of_ra(ra: f64) -> &'static str {
 }
 
 const OF_RG: Borders = &[
-    (102.0, "more vivid than"),
-    (98.0, "as vivid as"),
-    (80.0, "duller than"),
-    (f64::NEG_INFINITY, "much duller than"),
+    (
+        102.0,
+        later!("colours more vivid than under the reference on average"),
+    ),
+    (
+        98.0,
+        later!("colours as vivid as under the reference on average"),
+    ),
+    (
+        80.0,
+        later!("colours duller than under the reference on average"),
+    ),
+    (
+        f64::NEG_INFINITY,
+        later!("colours much duller than under the reference on average"),
+    ),
 ];
 
 /// How vivid colours are, by Rg.
 pub fn of_rg(rg: f64) -> String {
-    let than = reached(OF_RG, rg);
-    format!("colours {than} under the reference on average")
+    reached(OF_RG, rg).to_owned()
 }
+
+const VIVIDNESS: Borders = &[
+    (102.0, later!("more vivid than the reference")),
+    (98.0, later!("as vivid as the reference")),
+    (80.0, later!("duller than the reference")),
+    (f64::NEG_INFINITY, later!("much duller than the reference")),
+];
 
 /// The same beside a figure.
 pub fn vividness(rg: f64) -> String {
-    format!("{} the reference", reached(OF_RG, rg))
+    reached(VIVIDNESS, rg).to_owned()
+}
+
+/// How a test colour looks, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Looks {
+    /// From 90.
+    Right,
+    /// From 75.
+    LittleOff,
+    /// From 50.
+    Off,
+    Wrong,
+}
+
+impl Looks {
+    pub fn of(index: f64) -> Self {
+        match index {
+            i if i >= 90.0 => Self::Right,
+            i if i >= 75.0 => Self::LittleOff,
+            i if i >= 50.0 => Self::Off,
+            _ => Self::Wrong,
+        }
+    }
 }
 
 const OF_SAMPLE: Borders = &[
-    (90.0, "looks right"),
-    (75.0, "looks a little off"),
-    (50.0, "looks off"),
-    (f64::NEG_INFINITY, "looks wrong"),
+    (90.0, later!("looks right")),
+    (75.0, later!("looks a little off")),
+    (50.0, later!("looks off")),
+    (f64::NEG_INFINITY, later!("looks wrong")),
 ];
 
 /// How a test colour looks, by its index.
@@ -222,9 +288,9 @@ const TOLD_CHROMA: f64 = 0.01;
 pub fn of_chroma(rcs: &[f64]) -> Option<&'static str> {
     let all = |is: fn(f64) -> bool| !rcs.is_empty() && rcs.iter().all(|r| is(*r));
     if all(|r| r > TOLD_CHROMA) {
-        Some("more vivid")
+        Some(said!("more vivid"))
     } else {
-        all(|r| r < -TOLD_CHROMA).then_some("duller")
+        all(|r| r < -TOLD_CHROMA).then_some(said!("duller"))
     }
 }
 
@@ -233,28 +299,31 @@ pub fn of_chroma(rcs: &[f64]) -> Option<&'static str> {
 pub fn of_shift(rcs: f64, rhs: f64) -> &'static str {
     match of_chroma(&[rcs]) {
         Some(way) if rcs.abs() >= rhs.abs() => way,
-        _ if rhs.abs() > TOLD_CHROMA => "turned in hue",
-        _ => "neither in vividness nor in hue on average",
+        _ if rhs.abs() > TOLD_CHROMA => said!("turned in hue"),
+        _ => said!("neither in vividness nor in hue on average"),
     }
 }
 
-const OF_SSI: Borders = &[
-    (90.0, "very like"),
-    (70.0, "like"),
-    (50.0, "in part unlike"),
-    (f64::NEG_INFINITY, "unlike"),
-];
-
 /// How like a reference a spectrum is, and what that tells of cameras.
 pub fn of_ssi(index: f64, reference: &str) -> String {
-    let cameras = of_cameras(index);
-    format!("{} {reference}: cameras {cameras}", reached(OF_SSI, index))
+    match index {
+        i if i >= 90.0 => tr!("very like {reference}: cameras should match", reference),
+        i if i >= 70.0 => tr!("like {reference}: cameras should nearly match", reference),
+        i if i >= 50.0 => tr!(
+            "in part unlike {reference}: cameras may or may not match",
+            reference
+        ),
+        _ => tr!(
+            "unlike {reference}: cameras may or may not match",
+            reference
+        ),
+    }
 }
 
 const OF_CAMERAS: Borders = &[
-    (90.0, "should match"),
-    (70.0, "should nearly match"),
-    (f64::NEG_INFINITY, "may or may not match"),
+    (90.0, later!("should match")),
+    (70.0, later!("should nearly match")),
+    (f64::NEG_INFINITY, later!("may or may not match")),
 ];
 
 /// What an SSI tells of cameras, behind their name.
@@ -263,21 +332,21 @@ pub fn of_cameras(index: f64) -> &'static str {
 }
 
 const HUES: Borders = &[
-    (617.0, "red"),
-    (597.0, "reddish orange"),
-    (586.0, "orange"),
-    (580.0, "yellowish orange"),
-    (575.0, "yellow"),
-    (571.0, "greenish yellow"),
-    (558.0, "yellow green"),
-    (530.0, "yellowish green"),
-    (498.0, "green"),
-    (493.0, "bluish green"),
-    (487.0, "blue green"),
-    (482.0, "greenish blue"),
-    (465.0, "blue"),
-    (430.0, "purplish blue"),
-    (f64::NEG_INFINITY, "violet"),
+    (617.0, later!("red")),
+    (597.0, later!("reddish orange")),
+    (586.0, later!("orange")),
+    (580.0, later!("yellowish orange")),
+    (575.0, later!("yellow")),
+    (571.0, later!("greenish yellow")),
+    (558.0, later!("yellow green")),
+    (530.0, later!("yellowish green")),
+    (498.0, later!("green")),
+    (493.0, later!("bluish green")),
+    (487.0, later!("blue green")),
+    (482.0, later!("greenish blue")),
+    (465.0, later!("blue")),
+    (430.0, later!("purplish blue")),
+    (f64::NEG_INFINITY, later!("violet")),
 ];
 
 /// The name of a wavelength's light.
@@ -286,11 +355,11 @@ pub fn of_wavelength(nm: f64) -> &'static str {
 }
 
 const OF_CCT: Borders = &[
-    (8000.0, "bluish white"),
-    (5300.0, "cool white"),
-    (3300.0, "neutral white"),
-    (2000.0, "warm white"),
-    (f64::NEG_INFINITY, "amber"),
+    (8000.0, later!("bluish white")),
+    (5300.0, later!("cool white")),
+    (3300.0, later!("neutral white")),
+    (2000.0, later!("warm white")),
+    (f64::NEG_INFINITY, later!("amber")),
 ];
 
 /// The name of a white by its temperature, K; only for what is near the blackbodies.
@@ -325,7 +394,7 @@ mod tests {
         ] {
             assert_eq!(Seen::of_slit(share), step, "{share}");
         }
-        let said = Seen::Hardly.verdict("light");
+        let said = Seen::Hardly.verdict(Kind::Light);
         assert_eq!(said, "Model and light look alike");
         assert!(Seen::Hardly.meaning().contains("ISO/TR 28642"));
         for seen in Seen::ALL {

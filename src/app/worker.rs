@@ -8,12 +8,22 @@ use std::{
     thread,
 };
 
+#[cfg(not(target_arch = "wasm32"))]
+use crate::languages;
 use crate::study::Progress;
 
 #[cfg(not(target_arch = "wasm32"))]
 type Hand = thread::JoinHandle<()>;
+
+/// A thread that speaks as the one that asks for it.
 #[cfg(not(target_arch = "wasm32"))]
-use thread::spawn;
+fn spawn(work: impl FnOnce() + Send + 'static) -> Hand {
+    let language = languages::spoken();
+    thread::spawn(move || {
+        languages::speak(language);
+        work();
+    })
+}
 
 #[cfg(target_arch = "wasm32")]
 pub use turns::take_turn;

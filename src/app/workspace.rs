@@ -64,5 +64,5 @@ pub fn to_json_with(
 ) -> Result<String, String> {
     let stored = stored::Stored::of(document, preferences, waiting);
     serde_json::to_string_pretty(&stored)
-        .map_err(|error| format!("the document cannot be written as JSON: {error}"))
+        .map_err(|error| tr!("the document cannot be written as JSON: {why}", why = error))
 }

@@ -21,6 +21,7 @@ use super::{
 };
 use crate::{
     app::{chart::Theme, pages::Page},
+    languages::Language,
     spectrum::Kind,
 };
 
@@ -288,6 +289,9 @@ pub(super) struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
+    /// The window's language: en, de, es or fr.
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = words::language)]
+    pub language: Language,
     // The help is made of the one list of pages.
     #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page,
         help = words::help_on_pages())]

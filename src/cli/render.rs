@@ -52,6 +52,7 @@ pub(super) fn run(
         force,
         size,
         theme,
+        language,
         page,
         lesson,
         done,
@@ -85,7 +86,7 @@ pub(super) fn run(
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let preferences = Preferences {
+    let mut preferences = Preferences {
         dark: *theme == Theme::Dark,
         present: *present,
         page: *page,
@@ -97,6 +98,7 @@ pub(super) fn run(
         follow_asked: follow.as_deref().map(recording),
         ..Preferences::default()
     };
+    preferences.speak(*language);
     if app.document().second.is_some() {
         app.pages_follow(|pages| pages.follow_second(true));
     }

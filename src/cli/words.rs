@@ -18,6 +18,7 @@ use crate::{
         pages::{Page, SPENDABLE, knob::Knob},
     },
     color::Observer,
+    languages::Language,
     io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
     optics::BuiltinMaterial,
     spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
@@ -326,6 +327,11 @@ pub(super) fn theme(word: &str) -> Result<Theme, String> {
         Theme::Dark => "dark",
         Theme::Light => "light",
     })
+}
+
+/// `--language`.
+pub(super) fn language(code: &str) -> Result<Language, String> {
+    one_of(code, &Language::ALL, Language::code)
 }
 
 /// One of some values by its word.

@@ -177,14 +177,14 @@ impl Mapping {
     /// Description of the mapping for a tooltip or a report.
     pub(crate) fn words(self) -> &'static str {
         match self {
-            Self::ScaledToMaximum => "negative channels to 0, scaled by the largest",
-            Self::Clipped => "relative to the light's Y, channels cut to 0-1",
-            Self::AdaptedAndClipped => "adapted to the light (Bradford), channels cut to 0-1",
+            Self::ScaledToMaximum => later!("negative channels to 0, scaled by the largest"),
+            Self::Clipped => later!("relative to the light's Y, channels cut to 0-1"),
+            Self::AdaptedAndClipped => later!("adapted to the light (Bradford), channels cut to 0-1"),
             Self::TooNarrowToAdapt => {
-                "the light is too narrow to adapt to: relative to its Y, channels cut to 0-1"
+                later!("the light is too narrow to adapt to: relative to its Y, channels cut to 0-1")
             }
-            Self::Exposed => "by the picture's exposure, channels cut to 0-1",
-            Self::NoLight => "no light: black",
+            Self::Exposed => later!("by the picture's exposure, channels cut to 0-1"),
+            Self::NoLight => later!("no light: black"),
         }
     }
 }

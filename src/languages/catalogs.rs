@@ -35,6 +35,11 @@ pub fn said(english: &'static str) -> &'static str {
     }
 }
 
+/// The same of a text that is known only as the program runs, such as a name in a file.
+pub fn translated(english: &str) -> Cow<'_, str> {
+    texts().map_or(Cow::Borrowed(english), |texts| texts.translate(english, None))
+}
+
 /// Answers [`tr!`](tr::tr) on each thread in the language that it speaks.
 struct Spoken;
 

@@ -15,7 +15,7 @@ use std::cell::Cell;
 
 use serde::{Deserialize, Serialize};
 
-pub use catalogs::said;
+pub use catalogs::{said, translated};
 pub use numbers::{fixed, signed, with_sign};
 
 /// A language of the window.
@@ -60,6 +60,12 @@ impl Language {
         let code = locale.split(['_', '-', '.', '@']).next()?;
         let is_it = |language: &Self| language.code().eq_ignore_ascii_case(code);
         Self::ALL.into_iter().find(is_it)
+    }
+
+    /// The language that the system, or the browser, is set to; English for every other one.
+    pub fn of_system() -> Self {
+        let locale = sys_locale::get_locale();
+        locale.as_deref().and_then(Self::of_locale).unwrap_or_default()
     }
 
     /// Stands between a number's whole part and its decimals.

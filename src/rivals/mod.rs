@@ -71,48 +71,48 @@ impl Family {
         match self {
             Self::Samples => About {
                 word: "samples",
-                title: "Point samples, linear",
-                short: "Samples",
-                in_a_sentence: "point samples",
-                meaning: "Equally spaced values with straight lines between them.",
+                title: later!("Point samples, linear"),
+                short: later!("Samples"),
+                in_a_sentence: later!("point samples"),
+                meaning: later!("Equally spaced values with straight lines between them."),
             },
             Self::Bins => About {
                 word: "bins",
-                title: "Box bins",
-                short: "Bins",
-                in_a_sentence: "box bins",
-                meaning: "Averages over equal boxes.",
+                title: later!("Box bins"),
+                short: later!("Bins"),
+                in_a_sentence: later!("box bins"),
+                meaning: later!("Averages over equal boxes."),
             },
             Self::Legendre => About {
                 word: "legendre",
-                title: "Legendre polynomial",
-                short: "Legendre",
-                in_a_sentence: "the Legendre polynomial",
-                meaning: "A polynomial, least squares.",
+                title: later!("Legendre polynomial"),
+                short: later!("Legendre"),
+                in_a_sentence: later!("the Legendre polynomial"),
+                meaning: later!("A polynomial, least squares."),
             },
             Self::Principal => About {
                 word: "principal",
-                title: "Principal components",
-                short: "Principal",
-                in_a_sentence: "principal components",
-                meaning: "Components of the shipped lights, trained without the light at hand and \
-                          its likes. Its tables are not counted among its numbers.",
+                title: later!("Principal components"),
+                short: later!("Principal"),
+                in_a_sentence: later!("principal components"),
+                meaning: later!("Components of the shipped lights, trained without the light at hand and \
+                          its likes. Its tables are not counted among its numbers."),
             },
             Self::Moments => About {
                 word: "moments",
-                title: "Maximum-entropy moments",
-                short: "Moments",
-                in_a_sentence: "maximum-entropy moments",
-                meaning: "Trigonometric moments, read by maximum entropy; never negative. \
-                          Reflectances are bounded by 1.",
+                title: later!("Maximum-entropy moments"),
+                short: later!("Moments"),
+                in_a_sentence: later!("maximum-entropy moments"),
+                meaning: later!("Trigonometric moments, read by maximum entropy; never negative. \
+                          Reflectances are bounded by 1."),
             },
             Self::Wavelet => About {
                 word: "wavelet",
-                title: "Wavelet, largest coefficients",
-                short: "Wavelet",
-                in_a_sentence: "wavelets",
-                meaning: "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
-                          place and value.",
+                title: later!("Wavelet, largest coefficients"),
+                short: later!("Wavelet"),
+                in_a_sentence: later!("wavelets"),
+                meaning: later!("The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
+                          place and value."),
             },
         }
     }

@@ -84,8 +84,8 @@ impl Basis {
     /// The name within a sentence.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Fourier => "Fourier",
-            Self::Cosine => "cosine",
+            Self::Fourier => later!("Fourier"),
+            Self::Cosine => later!("cosine"),
         }
     }
 
@@ -99,10 +99,10 @@ impl Basis {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Fourier => {
-                "The paper's periodic series: 2N + 1 numbers. It rings where the two ends of the \
-                 range differ."
+                later!("The paper's periodic series: 2N + 1 numbers. It rings where the two ends of the \
+                 range differ.")
             }
-            Self::Cosine => "Half-range cosines: the same 2N + 1 numbers, no jump at the ends.",
+            Self::Cosine => later!("Half-range cosines: the same 2N + 1 numbers, no jump at the ends."),
         }
     }
 

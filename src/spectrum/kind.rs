@@ -41,13 +41,13 @@ impl Kind {
     /// The lower-case word used in files, in JSON and on the command line.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Light => "light",
-            Self::Reflectance => "reflectance",
-            Self::Transmittance => "transmittance",
-            Self::Absorbance => "absorbance",
-            Self::Weighting => "weighting",
-            Self::Lines => "lines",
-            Self::Other => "other",
+            Self::Light => later!("light"),
+            Self::Reflectance => later!("reflectance"),
+            Self::Transmittance => later!("transmittance"),
+            Self::Absorbance => later!("absorbance"),
+            Self::Weighting => later!("weighting"),
+            Self::Lines => later!("lines"),
+            Self::Other => later!("other"),
         }
     }
 

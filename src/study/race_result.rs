@@ -58,10 +58,10 @@ impl Racer {
     pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Composite(way) => way.title(),
-            Self::WideLines => "Wide lines",
-            Self::KnownLamps => "Known lamps + lines",
+            Self::WideLines => later!("Wide lines"),
+            Self::KnownLamps => later!("Known lamps + lines"),
             Self::Rival(family) => family.about().title,
-            Self::Chosen => "Best composite, chosen per light",
+            Self::Chosen => later!("Best composite, chosen per light"),
         }
     }
 

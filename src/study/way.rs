@@ -47,9 +47,21 @@ impl FitVariant {
 
     /// In words for people.
     pub fn title(self) -> &'static str {
-        static TITLES: LazyLock<Vec<String>> =
-            LazyLock::new(|| spelled(Basis::title, ", colour-exact", " + lines"));
-        &TITLES[self.place()]
+        let titles = match self.basis {
+            Basis::Fourier => [
+                later!("Fourier"),
+                later!("Fourier + lines"),
+                later!("Fourier, colour-exact"),
+                later!("Fourier, colour-exact + lines"),
+            ],
+            Basis::Cosine => [
+                later!("Cosine"),
+                later!("Cosine + lines"),
+                later!("Cosine, colour-exact"),
+                later!("Cosine, colour-exact + lines"),
+            ],
+        };
+        titles[self.place() % 4]
     }
 
     /// Its place in [`FitVariant::ALL`].

@@ -7,7 +7,10 @@ use super::{
     kit::{Column, Row, Table, named, pressed, pressed_if, pressed_small},
     theme::Theme,
 };
-use crate::app::open::{FileRow, Progress, Summary};
+use crate::{
+    app::open::{FileRow, Progress, Summary},
+    languages::said,
+};
 
 /// Width of the bar, points.
 const BAR: f32 = 120.0;
@@ -22,22 +25,22 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         total,
         at_work,
     } = progress;
-    let meaning = "Stops reading files; what was read until now is kept.";
-    let cancelled = pressed_small(ui, "Cancel", meaning);
+    let meaning = said!("Stops reading files; what was read until now is kept.");
+    let cancelled = pressed_small(ui, said!("Cancel"), meaning);
     let (share, words) = match total {
-        Some(1) => (0.0, "reading".to_owned()),
+        Some(1) => (0.0, said!("reading").to_owned()),
         Some(total) => (
             *done as f32 / (*total).max(1) as f32,
-            format!("{done} of {total} files"),
+            tr!("{done} of {total} files", done, total),
         ),
-        None => (0.0, "looking through folders".to_owned()),
+        None => (0.0, said!("looking through folders").to_owned()),
     };
     let bar = egui::ProgressBar::new(share)
         .desired_width(BAR)
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
     named(&response, egui::Role::ProgressIndicator, &words);
-    response.on_hover_text("Files read, of those opened together.");
+    response.on_hover_text(said!("Files read, of those opened together."));
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
 }
@@ -95,13 +98,13 @@ pub(super) enum Wish {
 /// What one does with many spectra.
 const NEXT: [(&str, &str, Wish); 2] = [
     (
-        "How many numbers do they need?",
-        "Goes to Many lights, with your own lights.",
+        later!("How many numbers do they need?"),
+        later!("Goes to Many lights, with your own lights."),
         Wish::Numbers,
     ),
     (
-        "Compare their quality",
-        "White, colour rendering and efficacy of each light, the best first.",
+        later!("Compare their quality"),
+        later!("White, colour rendering and efficacy of each light, the best first."),
         Wish::Quality,
     ),
 ];
@@ -111,7 +114,7 @@ fn next(ui: &mut Ui) -> Option<Wish> {
     let mut wish = None;
     ui.horizontal_wrapped(|ui| {
         for (words, meaning, asked) in NEXT {
-            if pressed(ui, words, meaning) {
+            if pressed(ui, said(words), said(meaning)) {
                 wish = Some(asked);
             }
         }
@@ -204,7 +207,7 @@ impl BatchView {
         let mut wish = None;
         let room = context.content_rect().size();
         let width = (0.86 * room.x).clamp(800.0, 1680.0);
-        egui::Window::new("Files opened together")
+        egui::Window::new(said!("Files opened together"))
             .open(&mut open)
             .collapsible(false)
             .default_pos(egui::pos2(
@@ -237,19 +240,26 @@ impl BatchView {
         }
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [
-                (Shown::All, "All", all, "Every file that was opened."),
+                (
+                    Shown::All,
+                    said!("All"),
+                    all,
+                    said!("Every file that was opened."),
+                ),
                 (
                     Shown::Doubtful,
-                    "Doubtful",
+                    said!("Doubtful"),
                     doubtful,
-                    "Files read with a guess that you should look at: what the values stand for, \
-                     per cent or fractions, the unit of the wavelengths.",
+                    said!(
+                        "Files read with a guess that you should look at: what the values stand \
+                         for, per cent or fractions, the unit of the wavelengths."
+                    ),
                 ),
                 (
                     Shown::NotRead,
-                    "Refused or not read",
+                    said!("Refused or not read"),
                     not_read,
-                    "Files in which nothing could be read, and files that were not reached.",
+                    said!("Files in which nothing could be read, and files that were not reached."),
                 ),
             ] {
                 let label =
@@ -260,12 +270,15 @@ impl BatchView {
                 }
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                closed = ui.button("Close").on_hover_text("Escape").clicked();
-                let meaning = "Every file with format, count, how it was read and its path.";
-                if pressed(ui, "Copy as CSV", meaning) {
+                closed = ui
+                    .button(said!("Close"))
+                    .on_hover_text(said!("Escape"))
+                    .clicked();
+                let meaning = said!("Every file with format, count, how it was read and its path.");
+                if pressed(ui, said!("Copy as CSV"), meaning) {
                     ui.copy_text(summary.table().csv().trim_end().to_owned());
                     wish = Some(Wish::Say(
-                        "Copied as CSV: files opened together.".to_owned(),
+                        said!("Copied as CSV: files opened together.").to_owned(),
                     ));
                 }
             });
@@ -364,22 +377,29 @@ fn table(
 ) -> Option<Clicked> {
     let mut columns = vec![
         Column::words(
-            "File",
-            "Its path below the folder that was opened. × refused or not read, ? doubtful. A \
-             click shows its first spectrum.",
+            said!("File"),
+            said!(
+                "Its path below the folder that was opened. × refused or not read, ? doubtful. A \
+                 click shows its first spectrum."
+            ),
             2.4,
         ),
-        Column::words("Format", "The format that read it.", 1.5),
-        Column::numbers("Spectra", "Spectra that it holds; images beside them.", 0.8),
+        Column::words(said!("Format"), said!("The format that read it."), 1.5),
+        Column::numbers(
+            said!("Spectra"),
+            said!("Spectra that it holds; images beside them."),
+            0.8,
+        ),
         Column::words(
-            "How it was read",
-            "Grid, points, range, kind and unit; or why it was refused.",
+            said!("How it was read"),
+            said!("Grid, points, range, kind and unit; or why it was refused."),
             // Long sentences: a wide window is theirs.
             (ui.available_width() / (110.0 * theme.scale) - 5.4).max(5.0),
         ),
     ];
     if doubts.contains(&true) {
-        let meaning = "Shows the file's first rows and what was decided, to look at or turn round.";
+        let meaning =
+            said!("Shows the file's first rows and what was decided, to look at or turn round.");
         columns.push(Column::words("", meaning, 0.8));
     }
     let mut looked = None;
@@ -405,17 +425,19 @@ fn table(
 fn look(ui: &Ui, row: usize, cell: Rect) -> bool {
     let rect = cell.shrink2(vec2(0.0, 1.0));
     let response = ui.interact(rect, ui.scope_id().with(("look", row)), Sense::click());
-    named(&response, egui::Role::Button, "Look…");
+    named(&response, egui::Role::Button, said!("Look…"));
     let visuals = ui.style().interact(&response);
     ui.painter().rect_filled(rect, 3.0, visuals.bg_fill);
     ui.painter().text(
         rect.center(),
         Align2::CENTER_CENTER,
-        "Look…",
+        said!("Look…"),
         TextStyle::Small.resolve(ui.style()),
         visuals.text_color(),
     );
     response
-        .on_hover_text("How it was read: its first rows, what was decided, the other choices.")
+        .on_hover_text(said!(
+            "How it was read: its first rows, what was decided, the other choices."
+        ))
         .clicked()
 }

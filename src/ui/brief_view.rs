@@ -12,7 +12,7 @@ use super::{
 };
 use crate::app::{
     App, Pair,
-    answers::{Worst, of_how_many, verdict, verdict_alone},
+    answers::{Worst, verdict, verdict_alone},
     behind_slit::BehindSlit,
     verdicts::Seen,
 };
@@ -60,25 +60,28 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let words = RichText::new(verdict_alone(app, seen)).size(size * theme.scale);
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
-                    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
                     // Large type has room for the numbers alone.
                     let is_large = theme.scale > 1.0;
                     let words = match is_large {
-                        true => format!("ΔE₀₀ {off}"),
-                        false => format!("ΔE₀₀ {off} at worst{of}"),
+                        true => format!("ΔE₀₀ {}", figure(worst.delta_e_2000)),
+                        false => at_worst(app, &worst),
                     };
                     ui.add(Label::new(words).truncate());
                     // Without room for it, the words above and the numbers are enough.
                     let has_room = height >= 92.0 && theme.scale <= 1.0;
                     if let Some(behind) = BehindSlit::of(app).filter(|_| has_room) {
-                        let words = format!("Instrument: {} % off", behind.percent());
+                        let words = tr!("Instrument: {share} % off", share = behind.percent());
                         ui.add(Label::new(words).truncate())
                             .on_hover_text(behind.step.meaning_behind_slit());
                     }
                     let (numbers, instead) = counts(app);
                     let words = match is_large {
                         true => many::numbers(numbers),
-                        false => format!("{}, not {instead}", many::numbers(numbers)),
+                        false => tr!(
+                            "{numbers}, not {instead}",
+                            numbers = many::numbers(numbers),
+                            instead
+                        ),
                     };
                     ui.add(Label::new(words).wrap());
                 });
@@ -99,12 +102,22 @@ pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
         ui.add(Label::new(words.color(strong)).wrap())
             .on_hover_text(verdict(app, seen));
         ui.add_space(6.0);
-        let words = format!("To the eye: {}", seen.word().to_lowercase());
+        let words = match seen {
+            Seen::Hardly => said!("To the eye: hard to tell"),
+            Seen::SideBySide => said!("To the eye: slight"),
+            Seen::Visible => said!("To the eye: clear"),
+            Seen::Large => said!("To the eye: large"),
+        };
         ui.add(Label::new(words).wrap())
             .on_hover_text(seen.meaning());
     }
     if let Some(behind) = BehindSlit::of(app) {
-        let words = format!("To an instrument: {}", behind.step.word().to_lowercase());
+        let words = match behind.step {
+            Seen::Hardly => said!("To an instrument: hard to tell"),
+            Seen::SideBySide => said!("To an instrument: slight"),
+            Seen::Visible => said!("To an instrument: clear"),
+            Seen::Large => said!("To an instrument: large"),
+        };
         ui.add(Label::new(words).wrap())
             .on_hover_text(behind.step.meaning_behind_slit());
     }
@@ -113,8 +126,11 @@ pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
     ui.horizontal(|ui| {
         let size = 32.0 * theme.scale;
         ui.label(RichText::new(numbers.to_string()).size(size).color(strong));
-        let word = if numbers == 1 { "number" } else { "numbers" };
-        ui.label(format!("{word},\nnot {instead}"));
+        // The number itself stands before it, in large type.
+        ui.label(match numbers {
+            1 => tr!("number,\nnot {instead}", instead),
+            _ => tr!("numbers,\nnot {instead}", instead),
+        });
     });
 }
 
@@ -125,19 +141,28 @@ pub(super) fn pair(ui: &mut Ui, pair: &Pair, theme: Theme) {
     let words = if has_words { row } else { 0.0 };
     let room = ui.available_size();
     let [left, right] = &pair.names;
-    let name = format!(
-        "Surfaces: {left} {}, {right} {}, under {}",
-        pair.swatches[0].hex(),
-        pair.swatches[1].hex(),
-        pair.light
+    let name = tr!(
+        "Surfaces: {left} {left_hex}, {right} {right_hex}, under {light}",
+        left,
+        left_hex = pair.swatches[0].hex(),
+        right,
+        right_hex = pair.swatches[1].hex(),
+        light = pair.light
     );
     let [a, b] = &pair.swatches;
-    swatch::split(ui, vec2(room.x, (room.y - words).max(1.0)), a, b, &name).on_hover_text(format!(
-        "Left {left}, right {right}, both under {}.",
-        pair.light
+    swatch::split(ui, vec2(room.x, (room.y - words).max(1.0)), a, b, &name).on_hover_text(tr!(
+        "Left {left}, right {right}, both under {light}.",
+        left,
+        right,
+        light = pair.light
     ));
     if has_words {
-        let words = format!("{left} | {right}, under {}", pair.light);
+        let words = tr!(
+            "{left} | {right}, under {light}",
+            left,
+            right,
+            light = pair.light
+        );
         ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
     }
 }
@@ -156,10 +181,24 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
     let words = RichText::new(verdict_alone(app, seen)).color(ui.visuals().strong_text_color());
     ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
-    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
-    let words = format!(
-        "ΔE₀₀ {off} at worst{of}, {}, not {instead}",
-        many::numbers(numbers)
+    let counted = tr!(
+        "{numbers}, not {instead}",
+        numbers = many::numbers(numbers),
+        instead
     );
+    let words = format!("{}, {counted}", at_worst(app, &worst));
     ui.add(Label::new(words).truncate());
+}
+
+/// How far the worst surface is off, and of how many it is.
+fn at_worst(app: &App, worst: &Worst) -> String {
+    let off = figure(worst.delta_e_2000);
+    match &app.derived().patches {
+        Some(patches) => tr!(
+            "ΔE₀₀ {off} at worst of {count}",
+            off,
+            count = patches.items.len()
+        ),
+        None => tr!("ΔE₀₀ {off} at worst", off),
+    }
 }

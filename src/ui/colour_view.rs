@@ -16,51 +16,53 @@ use crate::{
     },
     color::Swatch,
     io::many::capitalised,
+    languages::fixed,
     study::Measure,
 };
 
 /// Draws the panel; `is_titled` where a tab above says already what it is.
 pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
     if !app.document().is_about_light() {
-        section(ui, &format!("Colour under {}", app.document().light.name()));
+        section(
+            ui,
+            &tr!("Colour under {light}", light = app.document().light.name()),
+        );
     } else if !is_titled {
-        section(ui, "Colour and error");
+        section(ui, said!("Colour and error"));
     }
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         ui.weak(match colour.exact {
-            None => "No visible light in this range: there is no colour to show.",
-            Some(_) => "The model has no colour in this range: there is nothing to compare.",
+            None => said!("No visible light in this range: there is no colour to show."),
+            Some(_) => said!("The model has no colour in this range: there is nothing to compare."),
         });
         errors(ui, app);
         small_warnings(ui, theme, &app.derived().warnings);
         return;
     };
     let size = vec2(ui.available_width(), 32.0 * theme.scale);
+    let mapping = capitalised(exact.swatch.mapping.words());
+    let mut about = tr!("Left as measured, right by the model. {mapping}.", mapping);
+    if !(exact.swatch.in_gamut && model.swatch.in_gamut) {
+        about += " ";
+        about += said!("A triangle marks a colour outside sRGB: the screen cannot show it.");
+    }
     swatch::split(
         ui,
         size,
         &exact.swatch,
         &model.swatch,
-        &format!(
-            "Colour: measured {}, model {}",
-            exact.swatch.hex(),
-            model.swatch.hex()
+        &tr!(
+            "Colour: measured {measured}, model {model}",
+            measured = exact.swatch.hex(),
+            model = model.swatch.hex()
         ),
     )
-    .on_hover_text(format!(
-        "Left as measured, right by the model. {}.{}",
-        capitalised(exact.swatch.mapping.words()),
-        if exact.swatch.in_gamut && model.swatch.in_gamut {
-            ""
-        } else {
-            " A triangle marks a colour outside sRGB: the screen cannot show it."
-        }
-    ));
+    .on_hover_text(about);
     ui.horizontal(|ui| {
-        hex(ui, "measured", &exact.swatch);
+        hex(ui, false, &exact.swatch);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            hex(ui, "model", &model.swatch);
+            hex(ui, true, &model.swatch);
             ui.with_layout(
                 egui::Layout::centered_and_justified(egui::Direction::LeftToRight),
                 |ui| differences(ui, app),
@@ -72,12 +74,19 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
     small_warnings(ui, theme, &app.derived().warnings);
 }
 
-fn hex(ui: &mut Ui, whose: &str, swatch: &Swatch) {
+fn hex(ui: &mut Ui, is_model: bool, swatch: &Swatch) {
     let text = swatch.hex();
+    let (meaning, name) = if is_model {
+        let meaning = said!("sRGB of the model colour. Click to copy.");
+        (meaning, tr!("Copy model {colour}", colour = text))
+    } else {
+        let meaning = said!("sRGB of the measured colour. Click to copy.");
+        (meaning, tr!("Copy measured {colour}", colour = text))
+    };
     let button = ui
         .add(egui::Button::new(RichText::new(&text).monospace()).small())
-        .on_hover_text(format!("sRGB of the {whose} colour. Click to copy."));
-    named(&button, egui::Role::Button, &format!("Copy {whose} {text}"));
+        .on_hover_text(meaning);
+    named(&button, egui::Role::Button, &name);
     if button.clicked() {
         ui.ctx().copy_text(text);
     }
@@ -88,11 +97,11 @@ fn differences(ui: &mut Ui, app: &App) {
     let (Some(delta_e), Some(delta_uv)) = (colour.delta_e_2000, colour.delta_uv) else {
         return;
     };
-    let text = format!("ΔE₀₀ {delta_e:.3}   Δu′v′ {delta_uv:.5}");
-    ui.label(RichText::new(text).strong()).on_hover_text(
+    let text = format!("ΔE₀₀ {}   Δu′v′ {}", fixed(delta_e, 3), fixed(delta_uv, 5));
+    ui.label(RichText::new(text).strong()).on_hover_text(said!(
         "CIEDE2000 between measured and model (the white is the measured light), and their \
-         distance in the CIE 1976 chromaticity diagram.",
-    );
+         distance in the CIE 1976 chromaticity diagram."
+    ));
 }
 
 fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
@@ -108,11 +117,12 @@ fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
 fn grid(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
     figure_grid(ui, "colour numbers", |ui| {
         ui.weak("");
-        ui.weak("measured")
-            .on_hover_text("On the model's range, 1 nm trapezoid.");
-        ui.weak("model");
-        ui.weak("360-830")
-            .on_hover_text("The measured spectrum by plain 1 nm sums over 360 to 830 nm.");
+        ui.weak(said!("measured"))
+            .on_hover_text(said!("On the model's range, 1 nm trapezoid."));
+        ui.weak(said!("model"));
+        ui.weak("360-830").on_hover_text(said!(
+            "The measured spectrum by plain 1 nm sums over 360 to 830 nm."
+        ));
         ui.end_row();
         let of_light = by_key(&OF_LIGHT).filter(|_| exact.cct.is_some());
         // Two of a kind stand in one row; for three there is no room.
@@ -145,7 +155,7 @@ fn errors(ui: &mut Ui, app: &App) {
                 let (figure, value) = (measure.figure(), app.derived().figures[*measure]);
                 let name = match measure {
                     // Behind its like it need not say of what.
-                    Measure::Rms => "1 nm",
+                    Measure::Rms => said!("1 nm"),
                     _ => figure.short,
                 };
                 ui.label(name).on_hover_text(figure.meaning);

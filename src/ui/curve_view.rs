@@ -61,9 +61,9 @@ fn shown(app: &App, chosen: Measure) -> Measure {
 fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     let now = shown(app, preferences.curve);
     ui.horizontal(|ui| {
-        ui.label("Error against waves");
+        ui.label(said!("Error against waves"));
         let choice = Choice {
-            name: "Figure of the curve",
+            name: said!("Figure of the curve"),
             meaning: now.figure().meaning,
             width: ui.available_width() - 8.0,
         };
@@ -86,7 +86,7 @@ fn kept_chart(ui: &Ui, app: &App, measure: Measure) -> Option<Arc<Chart>> {
     let key = (app.revision(), measure);
     let make = |_: &_| {
         let mut chart = order_chart(app, measure)?;
-        chart.title = "Error against waves; click to go there".to_owned();
+        chart.title = said!("Error against waves; click to go there").to_owned();
         Some(Arc::new(chart))
     };
     let chart = kept.get(key, make).clone();
@@ -110,7 +110,7 @@ fn plot(
     );
     let Some(chart) = kept_chart(ui, app, measure) else {
         ui.allocate_ui(size, |ui| {
-            ui.weak("There is no colour to compare in this range.");
+            ui.weak(said!("There is no colour to compare in this range."));
         });
         return;
     };
@@ -144,10 +144,12 @@ fn plot(
         derived.curve.get(read).map(|p| p.numbers),
     ) {
         let error = ticks::short(point[1]);
-        drawn.response.on_hover_text_at_pointer(format!(
-            "Waves {read}: {error}{} ({}). Click to go there.",
-            chart.y_unit,
-            numbers(count)
+        drawn.response.on_hover_text_at_pointer(tr!(
+            "Waves {waves}: {error}{unit} ({numbers}). Click to go there.",
+            waves = read,
+            error,
+            unit = chart.y_unit,
+            numbers = numbers(count)
         ));
     }
 }

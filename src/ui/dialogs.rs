@@ -6,9 +6,12 @@ use eframe::egui;
 use egui::{Context, Ui};
 
 use super::keys::{GROUPS, SHORTCUTS};
-use crate::app::{
-    Library,
-    licences::{self, Licence},
+use crate::{
+    app::{
+        Library,
+        licences::{self, Licence},
+    },
+    languages::said,
 };
 
 /// The small window that is open.
@@ -39,10 +42,10 @@ const AROUND: egui::Vec2 = egui::vec2(40.0, 110.0);
 
 pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let title = match dialog {
-        Dialog::OpenPath(_) => "Open a file or a folder",
-        Dialog::SavePath(_) => "Save to a file",
-        Dialog::Shortcuts => "Shortcuts",
-        Dialog::About(_) => "About Spectral Explorer",
+        Dialog::OpenPath(_) => said!("Open a file or a folder"),
+        Dialog::SavePath(_) => said!("Save to a file"),
+        Dialog::Shortcuts => said!("Shortcuts"),
+        Dialog::About(_) => said!("About Spectral Explorer"),
     };
     let mut outcome = Outcome::Open;
     let modal = egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
@@ -58,13 +61,17 @@ pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
             Dialog::OpenPath(text) => path_field(
                 ui,
                 text,
-                ("Open it", false),
+                (said!("Open it"), false),
                 &mut outcome,
                 Outcome::OpenPath,
             ),
-            Dialog::SavePath(text) => {
-                path_field(ui, text, ("Save", true), &mut outcome, Outcome::SavePath)
-            }
+            Dialog::SavePath(text) => path_field(
+                ui,
+                text,
+                (said!("Save"), true),
+                &mut outcome,
+                Outcome::SavePath,
+            ),
             Dialog::Shortcuts => {
                 egui::ScrollArea::both()
                     .max_height(room.y)
@@ -78,7 +85,7 @@ pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
         }
         if matches!(dialog, Dialog::Shortcuts | Dialog::About(_)) {
             ui.add_space(6.0);
-            if ui.button("Close").clicked() {
+            if ui.button(said!("Close")).clicked() {
                 outcome = Outcome::Closed;
             }
         }
@@ -96,21 +103,21 @@ fn path_field(
     outcome: &mut Outcome,
     chosen: impl Fn(PathBuf) -> Outcome,
 ) {
-    let label = ui.label("Path of the file");
+    let label = ui.label(said!("Path of the file"));
     let field = ui
         .add(egui::TextEdit::singleline(text).desired_width(480.0_f32.min(ui.available_width())))
         .labelled_by(label.id);
     // Elsewhere the system asks before a file is lost; here a button that says so is pressed.
     let is_there = writes && Path::new(text.trim()).is_file();
     if is_there {
-        ui.label("A file of this name is there already.");
+        ui.label(said!("A file of this name is there already."));
     }
     // Nothing that was typed is lost.
     let is_missing = !writes && !text.trim().is_empty() && !Path::new(text.trim()).exists();
     if is_missing {
-        ui.label("No file or folder is called that.");
+        ui.label(said!("No file or folder is called that."));
     }
-    let verb = if is_there { "Replace it" } else { verb };
+    let verb = if is_there { said!("Replace it") } else { verb };
     let entered = !is_there && field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
     if !field.has_focus() && !entered {
         field.request_focus();
@@ -121,7 +128,7 @@ fn path_field(
         if ready && (pressed || entered) {
             *outcome = chosen(PathBuf::from(text.trim()));
         }
-        if ui.button("Cancel").clicked() {
+        if ui.button(said!("Cancel")).clicked() {
             *outcome = Outcome::Closed;
         }
     });
@@ -129,15 +136,21 @@ fn path_field(
 
 /// What the pointer does, behind the keys.
 const POINTER: [(&str, &str); 7] = [
-    ("Wheel", "Zoom the wavelengths around the pointer"),
-    ("Drag, right drag", "Move the view, zoom into a box"),
-    ("Double click", "Fit the view"),
-    ("Right click", "Save, copy or print a plot"),
-    ("Drag a line", "Move it, change its height"),
-    ("Shift + double click", "Add a line"),
     (
-        "Ctrl or Shift + click",
-        "Compare with a spectrum of the library",
+        later!("Wheel"),
+        later!("Zoom the wavelengths around the pointer"),
+    ),
+    (
+        later!("Drag, right drag"),
+        later!("Move the view, zoom into a box"),
+    ),
+    (later!("Double click"), later!("Fit the view")),
+    (later!("Right click"), later!("Save, copy or print a plot")),
+    (later!("Drag a line"), later!("Move it, change its height")),
+    (later!("Shift + double click"), later!("Add a line")),
+    (
+        later!("Ctrl or Shift + click"),
+        later!("Compare with a spectrum of the library"),
     ),
 ];
 
@@ -176,33 +189,34 @@ fn group(ui: &mut Ui, title: &str, rows: impl Iterator<Item = (String, &'static 
     ui.add_space(8.0);
 }
 
-fn keys(ui: &mut Ui, groups: &[&str]) {
-    for title in groups {
-        let of_it = SHORTCUTS.iter().filter(|(_, act, _)| act.group() == *title);
+fn keys(ui: &mut Ui, groups: &[&'static str]) {
+    for &title in groups {
+        let of_it = SHORTCUTS.iter().filter(|(_, act, _)| act.group() == title);
         let context = ui.ctx().clone();
-        let rows = of_it.map(|(keys, _, words)| (context.format_shortcut(keys), *words));
-        group(ui, title, rows);
+        let rows = of_it.map(|&(keys, _, words)| (context.format_shortcut(&keys), said(words)));
+        group(ui, said(title), rows);
     }
 }
 
 fn pointer(ui: &mut Ui) {
     let rows = POINTER
         .iter()
-        .map(|(keys, words)| ((*keys).to_owned(), *words));
-    let rows = std::iter::once(("Tab".to_owned(), "From control to control")).chain(rows);
-    group(ui, "Pointer and Tab", rows);
+        .map(|&(keys, words)| (said(keys).to_owned(), said(words)));
+    let rows =
+        std::iter::once((said!("Tab").to_owned(), said!("From control to control"))).chain(rows);
+    group(ui, said!("Pointer and Tab"), rows);
 }
 
 fn about(ui: &mut Ui, reading: &mut Option<usize>) {
-    ui.label(format!(
-        "Version {}. It opens light spectra and shows their parts: a smooth part and a few lines, \
-         the composite model of Sun, Fracchia and Drew (2000).",
-        env!("CARGO_PKG_VERSION")
+    ui.label(tr!(
+        "Version {version}. It opens light spectra and shows their parts: a smooth part and a few \
+         lines, the composite model of Sun, Fracchia and Drew (2000).",
+        version = env!("CARGO_PKG_VERSION")
     ));
     ui.add_space(4.0);
     let all: &[Licence] = licences::all();
     ui.horizontal_wrapped(|ui| {
-        ui.selectable_value(reading, None, "Licences of all parts");
+        ui.selectable_value(reading, None, said!("Licences of all parts"));
         for (index, licence) in all.iter().enumerate() {
             ui.selectable_value(reading, Some(index), licence.id)
                 .on_hover_text(licence.title);

@@ -95,7 +95,9 @@ impl Art {
         let kelvin = about.kelvin.map(kelvin_words);
         let words = Some(about.what).filter(|what| !what.is_empty());
         let scans = entry.measured.as_ref().and_then(|of| of.scans);
-        let scans = scans.filter(|n| *n > 1).map(|n| format!("{n} scans"));
+        let scans = scans
+            .filter(|n| *n > 1)
+            .map(|n| tr!("{count} scans", count = n));
         let what: Vec<String> = words.into_iter().chain(kelvin).chain(scans).collect();
         Self {
             what: what.join(", "),

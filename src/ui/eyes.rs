@@ -44,12 +44,12 @@ pub(super) fn next(eyes: Option<MissingCones>) -> (Option<MissingCones>, &'stati
     match eyes {
         None => (
             Some(MissingCones::Long),
-            "As seen without red cones (protanopia)",
+            said!("As seen without red cones (protanopia)"),
         ),
         Some(MissingCones::Long) => (
             Some(MissingCones::Middle),
-            "As seen without green cones (deuteranopia)",
+            said!("As seen without green cones (deuteranopia)"),
         ),
-        Some(MissingCones::Middle) => (None, "As seen with all cones"),
+        Some(MissingCones::Middle) => (None, said!("As seen with all cones")),
     }
 }

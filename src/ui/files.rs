@@ -65,18 +65,18 @@ pub fn system_picker() -> Picker {
         let dialog = rfd::FileDialog::new();
         let paths = match ask {
             Ask::Open => dialog
-                .set_title("Open spectra")
+                .set_title(said!("Open spectra"))
                 .pick_files()
                 .unwrap_or_default(),
             Ask::OpenFolder => dialog
-                .set_title("Open all files of a folder")
+                .set_title(said!("Open all files of a folder"))
                 .pick_folders()
                 .unwrap_or_default(),
             Ask::Save {
                 suggested,
                 extension,
             } => dialog
-                .set_title("Save")
+                .set_title(said!("Save"))
                 .set_file_name(suggested)
                 .add_filter(*extension, &[*extension])
                 .save_file()
@@ -92,8 +92,10 @@ pub fn system_picker() -> Picker {
 }
 
 /// What the status line says when there is no dialog.
-pub const NO_DIALOG: &str = "This system shows no file dialog (xdg-desktop-portal-gtk or zenity \
-    would). Type the path instead, or drop the file on the window.";
+pub const NO_DIALOG: &str = later!(
+    "This system shows no file dialog (xdg-desktop-portal-gtk or zenity would). Type the path \
+     instead, or drop the file on the window."
+);
 
 #[cfg(not(target_arch = "wasm32"))]
 struct DialogWatch;
@@ -140,7 +142,7 @@ pub(super) fn system_printer() -> Printer {
         let ended = command.arg(path).status().map_err(|why| why.to_string())?;
         match ended.success() {
             true => Ok(()),
-            false => Err("the system knows none".to_owned()),
+            false => Err(said!("the system knows none").to_owned()),
         }
     })
 }
@@ -156,7 +158,7 @@ pub(super) fn dropped(ui: &egui::Ui) -> (Vec<PathBuf>, Vec<(String, Loaded)>) {
             continue;
         }
         let name = path.file_name().map_or_else(
-            || "dropped file".to_owned(),
+            || said!("dropped file").to_owned(),
             |name| name.to_string_lossy().into_owned(),
         );
         let loaded = match file.bytes() {

@@ -11,7 +11,7 @@ use crate::{
         pages::Page,
         ticks::short,
     },
-    io::many::many,
+    languages::fixed,
 };
 
 /// What is to be noticed on a page, and a question to try.
@@ -28,10 +28,15 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     let settings = &app.document().settings;
     if spikes.is_empty() && derived.measured.iter().all(|value| *value <= 0.0) {
         let [from, to] = [derived.band.min_nm(), derived.band.max_nm()];
-        let notice = format!("Nothing above zero lies between {from} and {to} nm.");
+        let [from, to] = [short(from), short(to)];
+        let notice = tr!(
+            "Nothing above zero lies between {from} and {to} nm.",
+            from,
+            to
+        );
         return (
             notice,
-            "Set another range, or open another spectrum.".to_owned(),
+            said!("Set another range, or open another spectrum.").to_owned(),
         );
     }
     let below = match spikes.is_empty() {
@@ -40,24 +45,24 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     };
     let lost = without_lines(app, &below);
     let notice = match spikes.len() {
-        0 if !below.is_empty() => format!(
-            "{} left to the waves. {}",
-            match below.len() {
-                1 => "1 line is".to_owned(),
-                count => format!("{count} lines are"),
-            },
-            lost.unwrap_or_else(|| format!(
-                "The largest holds {} % of the power.",
-                figure(below[0])
-            )),
-        ),
-        0 if !settings.spikes => "Lines are off: the waves have to draw them.".to_owned(),
+        0 if !below.is_empty() => {
+            let left =
+                tr!("{n} line is left to the waves."
+                    | "{n} lines are left to the waves." % below.len());
+            let rest = lost.unwrap_or_else(|| {
+                tr!(
+                    "The largest holds {share} % of the power.",
+                    share = figure(below[0])
+                )
+            });
+            format!("{left} {rest}")
+        }
+        0 if !settings.spikes => said!("Lines are off: the waves have to draw them.").to_owned(),
         0 => no_lines(app),
-        count => format!(
-            "{} {} {:.0} % of the power.",
-            many(count, "line", "lines"),
-            if count == 1 { "holds" } else { "hold" },
-            100.0 * share
+        count => tr!(
+            "{n} line holds {share} % of the power."
+                | "{n} lines hold {share} % of the power." % count,
+            share = fixed(100.0 * share, 0)
         ),
     };
     let order = derived.model.smooth().order();
@@ -65,23 +70,32 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     let family = app.told().and_then(|told| told.family);
     let of_family = family.map_or("", |family| family.question.as_str());
     if !below.is_empty() {
-        return (notice, "Push Lines to the right to keep them.".to_owned());
+        return (
+            notice,
+            said!("Push Lines to the right to keep them.").to_owned(),
+        );
     }
     if as_it_starts && !of_family.is_empty() {
         return (notice, of_family.to_owned());
     }
     let question = match hard_to_see_from(app) {
         Some(from) if from > 0 && order > from => {
-            format!("Pull Waves left to {from}. The curve goes wrong: do the colours?")
+            tr!(
+                "Pull Waves left to {waves}. The curve goes wrong: do the colours?",
+                waves = from
+            )
         }
         Some(from) if from > 0 && order < from => {
-            format!("Push Waves right to {from}: what becomes right first, curve or colours?")
+            tr!(
+                "Push Waves right to {waves}: what becomes right first, curve or colours?",
+                waves = from
+            )
         }
         Some(_) if !spikes.is_empty() => {
-            "Pull Lines to the left until one drops out: which colours notice?".to_owned()
+            said!("Pull Lines to the left until one drops out: which colours notice?").to_owned()
         }
-        Some(_) => "Pull Waves left to 0: what is left of the colours?".to_owned(),
-        None => "Push Waves to the right: do the colours ever come right?".to_owned(),
+        Some(_) => said!("Pull Waves left to 0: what is left of the colours?").to_owned(),
+        None => said!("Push Waves to the right: do the colours ever come right?").to_owned(),
     };
     (notice, question)
 }
@@ -90,16 +104,19 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
 fn no_lines(app: &App) -> String {
     let settings = app.document().settings;
     if app.document().as_given().is_some() {
-        return "The model keeps no line.".to_owned();
+        return said!("The model keeps no line.").to_owned();
     }
     match settings.detector {
         Detector::Energy => {
             let least = settings.threshold_percent.min(LINE_THRESHOLDS[0]);
-            format!("No line holds {} % of the power or more.", short(least))
+            tr!(
+                "No line holds {share} % of the power or more.",
+                share = short(least)
+            )
         }
         Detector::Gradient => {
             let least = short(settings.gradient_percent);
-            format!("No line is steeper than {least} % per nm.")
+            tr!("No line is steeper than {slope} % per nm.", slope = least)
         }
     }
 }

@@ -4,23 +4,23 @@ use eframe::egui;
 use egui::{Context, Key, RichText, Ui, vec2};
 
 use super::{kit::tile_button, theme::Theme};
-use crate::app::pages::Page;
+use crate::{app::pages::Page, languages::said};
 
 /// Where a tile leads.
 const TILES: [(&str, &str, Page); 3] = [
     (
-        "Show a class",
-        "Short lessons on live data: predict, do it, see why. Or take one by yourself.",
+        later!("Show a class"),
+        later!("Short lessons on live data: predict, do it, see why. Or take one by yourself."),
         Page::Lessons,
     ),
     (
-        "Design a light",
-        "Mix lines, LEDs and lamps with faders, and see what the mixture does to colours.",
+        later!("Design a light"),
+        later!("Mix lines, LEDs and lamps with faders, and see what the mixture does to colours."),
         Page::Mix,
     ),
     (
-        "How many numbers?",
-        "See how few numbers a spectrum needs, and what each of them buys.",
+        later!("How many numbers?"),
+        later!("See how few numbers a spectrum needs, and what each of them buys."),
         Page::Tradeoff,
     ),
 ];
@@ -38,23 +38,23 @@ pub(super) enum Beginning {
 /// The ways below the tiles.
 const BUTTONS: [(&str, &str, Beginning); 4] = [
     (
-        "Is this a good light?",
-        "Shows how the light on the screen treats skin, colours and white.",
+        later!("Is this a good light?"),
+        later!("Shows how the light on the screen treats skin, colours and white."),
         Beginning::Page(Page::Quality),
     ),
     (
-        "Light through a prism",
-        "Shows the light fanned out into its colours; F5 shows it to a class.",
+        later!("Light through a prism"),
+        later!("Shows the light fanned out into its colours; F5 shows it to a class."),
         Beginning::Page(Page::Prism),
     ),
     (
-        "Play with the waves",
-        "Shows FL11, a lamp of many lines: pull Waves and Lines, and everything follows.",
+        later!("Play with the waves"),
+        later!("Shows FL11, a lamp of many lines: pull Waves and Lines, and everything follows."),
         Beginning::Live,
     ),
     (
-        "Open my own spectrum",
-        "Opens a file; it can also be dropped on the window.",
+        later!("Open my own spectrum"),
+        later!("Opens a file; it can also be dropped on the window."),
         Beginning::Own,
     ),
 ];
@@ -64,13 +64,13 @@ pub(super) fn show(context: &Context, theme: Theme) -> (Option<Beginning>, bool)
     let mut chosen = None;
     let modal = egui::Modal::new(egui::Id::unique("greeting")).show(context, |ui| {
         ui.set_max_width((720.0 * theme.scale).min(ui.ctx().content_rect().width() - 48.0));
-        ui.label(RichText::new("What would you like to do?").size(20.0 * theme.scale));
+        ui.label(RichText::new(said!("What would you like to do?")).size(20.0 * theme.scale));
         ui.add_space(8.0);
         let wide = ui.available_width() >= 560.0 * theme.scale;
         let gap = ui.spacing().item_spacing.x;
         let mut tiles = |ui: &mut Ui, width: f32| {
             for (title, words, page) in TILES {
-                if tile(ui, title, words, width) {
+                if tile(ui, said(title), said(words), width) {
                     chosen = Some(Beginning::Page(page));
                 }
             }
@@ -89,13 +89,17 @@ pub(super) fn show(context: &Context, theme: Theme) -> (Option<Beginning>, bool)
         ui.add_space(8.0);
         ui.horizontal_wrapped(|ui| {
             for (words, meaning, way) in BUTTONS {
-                if ui.button(words).on_hover_text(meaning).clicked() {
+                if ui
+                    .button(said(words))
+                    .on_hover_text(said(meaning))
+                    .clicked()
+                {
                     chosen = Some(way);
                 }
             }
         });
         ui.add_space(8.0);
-        let leave = "Esc: begin with what is on the screen. Help brings this back.";
+        let leave = said!("Esc: begin with what is on the screen. Help brings this back.");
         ui.add(egui::Label::new(RichText::new(leave).weak()).wrap());
     });
     let leaves = modal.should_close() || context.input(|i| i.key_pressed(Key::Escape));
@@ -116,7 +120,7 @@ fn tile(ui: &mut Ui, title: &str, words: &str, width: f32) -> bool {
             .layout(text.to_owned(), font.clone(), ink, room)
     };
     let highest = TILES.map(|(title, words, _)| {
-        lay(title, &head, strong).size().y + lay(words, &body, ink).size().y
+        lay(said(title), &head, strong).size().y + lay(said(words), &body, ink).size().y
     });
     let highest = highest.into_iter().fold(0.0, f32::max);
     let (head, body) = (lay(title, &head, strong), lay(words, &body, ink));

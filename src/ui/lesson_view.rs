@@ -123,7 +123,7 @@ impl LessonView {
 /// What covers a page until an answer is chosen.
 pub(super) fn veil(ui: &mut Ui) {
     ui.centered_and_justified(|ui| {
-        let words = RichText::new("Choose an answer first. Then the page is shown.");
+        let words = RichText::new(said!("Choose an answer first. Then the page is shown."));
         ui.add(Label::new(words.size(20.0)).wrap());
     });
 }
@@ -134,19 +134,20 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
     let title = RichText::new(&lesson.title).color(strong);
     ui.add(Label::new(title).wrap());
     ui.horizontal(|ui| {
-        ui.weak(format!(
-            "Step {} of {}",
-            run.index() + 1,
-            lesson.steps.len()
+        ui.weak(tr!(
+            "Step {step} of {steps}",
+            step = run.index() + 1,
+            steps = lesson.steps.len()
         ));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let meaning =
-                "Ends the lesson; everything is as it was before. Undo brings its last state back.";
-            if sign_button(ui, "Leave", "Leave the lesson", meaning) {
+            let meaning = said!(
+                "Ends the lesson; everything is as it was before. Undo brings its last state back."
+            );
+            if sign_button(ui, said!("Leave"), said!("Leave the lesson"), meaning) {
                 wishes.push(Wish::Leave);
             }
-            let meaning = "Sets light, settings and page as the step began.";
-            if sign_button(ui, "Reset", "Back to the step", meaning) {
+            let meaning = said!("Sets light, settings and page as the step began.");
+            if sign_button(ui, said!("Reset"), said!("Back to the step"), meaning) {
                 wishes.push(Wish::Again);
             }
         });
@@ -160,11 +161,12 @@ fn with_another(ui: &mut Ui, lesson: &Lesson, wishes: &mut Vec<Wish>) {
         return;
     }
     ui.add_space(8.0);
-    ui.label("Take the lesson again with");
+    ui.label(said!("Take the lesson again with"));
     ui.horizontal_wrapped(|ui| {
         for (index, light) in lesson.also.iter().enumerate() {
             let name = light.split_once('/').map_or(&light[..], |(_, name)| name);
-            let meaning = "The lesson from its beginning, with this light in place of its own.";
+            let meaning =
+                said!("The lesson from its beginning, with this light in place of its own.");
             if pressed(ui, name, meaning) {
                 wishes.push(Wish::With(index));
             }
@@ -183,7 +185,11 @@ fn body(
     let [ink, strong] = [ui.visuals().text_color(), ui.visuals().strong_text_color()];
     linked.text(ui, &shown.say, ink);
     if let Some(trouble) = run.trouble() {
-        warning(ui, theme, format!("This step could not be set: {trouble}."));
+        warning(
+            ui,
+            theme,
+            tr!("This step could not be set: {trouble}.", trouble),
+        );
     }
     let mut asked = Rect::from_pos(ui.cursor().min);
     if let Some(question) = &shown.question {
@@ -203,13 +209,13 @@ fn body(
                 ui.add_space(4.0);
                 let (words, meaning, wish) = match run.waits() {
                     false => (
-                        "Hands up",
-                        "A class votes by show of hands: a choice waits until you tell.",
+                        said!("Hands up"),
+                        said!("A class votes by show of hands: a choice waits until you tell."),
                         Wish::HandsUp,
                     ),
                     true => (
-                        "Tell",
-                        "Says which answer is right, and why (Space, Page Down).",
+                        said!("Tell"),
+                        said!("Says which answer is right, and why (Space, Page Down)."),
                         Wish::Tell,
                     ),
                 };
@@ -230,14 +236,20 @@ fn body(
                     let bar = ProgressBar::new(meter.share).desired_height(6.0);
                     ui.add(bar.fill(theme.accent));
                 }
-                let show = Button::new(if run.is_showing() { "Watch" } else { "Show me" });
-                let meaning = "The program does it, step by step (Space).";
+                let show = Button::new(if run.is_showing() {
+                    said!("Watch")
+                } else {
+                    said!("Show me")
+                });
+                let meaning = said!("The program does it, step by step (Space).");
                 if pressed_if(ui, !run.is_showing(), show, meaning) {
                     wishes.push(Wish::ShowMe);
                 }
                 if is_out_of_sight {
-                    let words = "Its control is not on the presented page: press Show me, or F5 \
-                                 for the whole window.";
+                    let words = said!(
+                        "Its control is not on the presented page: press Show me, or F5 for the \
+                         whole window."
+                    );
                     ui.add(Label::new(RichText::new(words).color(theme.faint)).wrap());
                 }
             }
@@ -255,7 +267,7 @@ fn body(
         framed(ui, |ui| {
             linked.text(ui, &lesson.remember, strong);
             ui.add_space(4.0);
-            ui.add(Label::new(format!("Try next: {}", lesson.next)).wrap());
+            ui.add(Label::new(tr!("Try next: {next}", next = lesson.next)).wrap());
         });
         end = end.union(ui.min_rect().with_min_y(end.top()));
     }
@@ -286,7 +298,12 @@ fn answer(
     let button = Button::new(RichText::new(words)).wrap().selected(is_chosen);
     let width = ui.available_width();
     let button = button.min_size(vec2(width, 0.0));
-    if pressed_if(ui, true, button, "Your answer; a digit chooses it, too.") {
+    if pressed_if(
+        ui,
+        true,
+        button,
+        said!("Your answer; a digit chooses it, too."),
+    ) {
         wishes.push(Wish::Choose(index));
     }
     if !because.is_empty() && (is_chosen || *right || is_open) {
@@ -298,31 +315,32 @@ fn answer(
 
 fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
-        let meaning = "The step before (arrow to the left, Page Up).";
-        if pressed_if(ui, run.index() > 0, Button::new("Back"), meaning) {
+        let meaning = said!("The step before (arrow to the left, Page Up).");
+        if pressed_if(ui, run.index() > 0, Button::new(said!("Back")), meaning) {
             wishes.push(Wish::Go(run.index() - 1));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if run.is_last() {
                 let meaning = match run.is_told() {
-                    true => "Ends the lesson; everything is as it was before.",
-                    false => "Ends the lesson. It has a tick once its last answer is told.",
+                    true => said!("Ends the lesson; everything is as it was before."),
+                    false => said!("Ends the lesson. It has a tick once its last answer is told."),
                 };
-                if pressed(ui, "Finish", meaning) {
+                if pressed(ui, said!("Finish"), meaning) {
                     wishes.push(Wish::Leave);
                 }
                 let next = shelf::after(&run.lesson().name).filter(|_| run.is_told());
                 if let Some(next) = next {
-                    let button = Button::new("Next lesson").selected(true);
-                    let meaning = "Ends this lesson and begins the one that follows in the list.";
+                    let button = Button::new(said!("Next lesson")).selected(true);
+                    let meaning =
+                        said!("Ends this lesson and begins the one that follows in the list.");
                     if pressed_if(ui, true, button, meaning) {
                         wishes.push(Wish::Onward(next));
                     }
                 }
                 return;
             }
-            let next = Button::new("Next").selected(run.is_told());
-            let meaning = "The next step (arrow to the right, Page Down).";
+            let next = Button::new(said!("Next")).selected(run.is_told());
+            let meaning = said!("The next step (arrow to the right, Page Down).");
             if pressed_if(ui, true, next, meaning) {
                 wishes.push(Wish::Go(run.index() + 1));
             }

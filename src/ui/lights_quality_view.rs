@@ -60,7 +60,7 @@ impl LightsQualityView {
         let (mut open, mut wish) = (true, None);
         let room = context.content_rect().size();
         let size = vec2(760.0, 0.7 * room.y).min(room - vec2(40.0, 80.0));
-        egui::Window::new("Quality of these lights")
+        egui::Window::new(said!("Quality of these lights"))
             .open(&mut open)
             .collapsible(false)
             .default_pos(((room - size) / 2.0).to_pos2())
@@ -88,7 +88,7 @@ impl LightsQualityView {
         let ask = self.asked.get(key, make);
         let job = studies.of::<LightsQualityAsk>();
         job.put(ask, wake);
-        progress(ui, job, "Light quality");
+        progress(ui, job, said!("Light quality"));
         let found = job.result()?.clone();
         let key = (ByAddress(found.clone()), self.by);
         let (said, rows, order) = &*self.shown.get(key, |(found, by)| {
@@ -98,20 +98,28 @@ impl LightsQualityView {
         });
         headline(ui, theme, said.as_str());
         let mut wish = None;
-        if pressed(ui, "Copy as CSV", "Every light with its figures.") {
+        if pressed(
+            ui,
+            said!("Copy as CSV"),
+            said!("Every light with its figures."),
+        ) {
             ui.ctx().copy_text(csv(&found));
             wish = Some(Wish::Say(
-                "Copied as CSV: quality of these lights.".to_owned(),
+                said!("Copied as CSV: quality of these lights.").to_owned(),
             ));
         }
         ui.add_space(4.0);
         let mut columns = [
-            Column::words("Light", "Click a light to show it.", 3.0),
-            Column::words("White", "Colour temperature and tint.", 2.4),
-            Column::numbers("Rf", "Colour fidelity of TM-30, 100 at best.", 0.8),
-            Column::numbers("Ra", "Colour rendering of CIE 13.3, 100 at best.", 0.8),
-            Column::numbers("R9", "Rendering of a strong red, 100 at best.", 0.8),
-            Column::numbers("lm/W", "Lumens per watt of radiation.", 0.8),
+            Column::words(said!("Light"), said!("Click a light to show it."), 3.0),
+            Column::words(said!("White"), said!("Colour temperature and tint."), 2.4),
+            Column::numbers("Rf", said!("Colour fidelity of TM-30, 100 at best."), 0.8),
+            Column::numbers(
+                "Ra",
+                said!("Colour rendering of CIE 13.3, 100 at best."),
+                0.8,
+            ),
+            Column::numbers("R9", said!("Rendering of a strong red, 100 at best."), 0.8),
+            Column::numbers("lm/W", said!("Lumens per watt of radiation."), 0.8),
         ];
         columns[self.by].decides = true;
         let table = Table {

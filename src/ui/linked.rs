@@ -69,7 +69,11 @@ impl Linked {
                 let id = response.id.with((word.word, row));
                 let link = ui.interact(rect, id, Sense::click());
                 if row == 0 {
-                    named(&link, egui::Role::Link, &format!("Glossary: {}", word.word));
+                    named(
+                        &link,
+                        egui::Role::Link,
+                        &tr!("Glossary: {word}", word = word.word()),
+                    );
                 }
                 if link.has_focus() {
                     let stroke = ui.visuals().selection.stroke;
@@ -77,7 +81,7 @@ impl Linked {
                     ui.painter().rect_stroke(rect, 2.0, stroke, outside);
                 }
                 let link = link.on_hover_cursor(CursorIcon::PointingHand);
-                if link.on_hover_text("What it means.").clicked() {
+                if link.on_hover_text(said!("What it means.")).clicked() {
                     self.open = Some((word, rect.right_bottom()));
                     self.opens = true;
                 }
@@ -101,10 +105,10 @@ impl Linked {
                 .show(ui, |ui| {
                     ui.set_width(WIDTH * theme.scale.min(1.5));
                     let strong = ui.visuals().strong_text_color();
-                    ui.label(RichText::new(word.word).color(strong).heading());
-                    ui.add(Label::new(word.means).wrap());
+                    ui.label(RichText::new(word.word()).color(strong).heading());
+                    ui.add(Label::new(word.means()).wrap());
                     ui.add_space(4.0);
-                    back = pressed(ui, "Back to the lesson", "Closes this (Esc).");
+                    back = pressed(ui, said!("Back to the lesson"), said!("Closes this (Esc)."));
                 });
         });
         let opens = std::mem::take(&mut self.opens);

@@ -5,7 +5,10 @@ use eframe::egui;
 use egui::{CornerRadius, Rect, Response, Sense, Stroke, TextStyle, Ui, Vec2, pos2, vec2};
 
 use super::{kit::cut_words, swatch, theme::Theme};
-use crate::app::{Board, Lit, verdicts::Seen};
+use crate::{
+    app::{Board, Lit, verdicts::Seen},
+    languages::fixed,
+};
 
 /// Part of a field's height at which the references of two lights begin.
 const SEAM: f32 = 0.68;
@@ -57,10 +60,7 @@ impl Field<'_> {
         } else {
             ui.visuals().text_color()
         };
-        let moved = self
-            .lit
-            .iter()
-            .map(|lit| format!("{:.1}", lit.delta_e_2000));
+        let moved = self.lit.iter().map(|lit| fixed(lit.delta_e_2000, 1));
         let moved: Vec<String> = moved.collect();
         let lines = [(&first.name, ink), (&moved.join(" | "), theme.faint)];
         for (row, (words, ink)) in (1_u8..).zip(lines.into_iter().rev()) {
@@ -73,7 +73,7 @@ impl Field<'_> {
         swatch::menu(&response, colours);
         response.on_hover_text(match self.source {
             "" => said.clone(),
-            source => format!("{said}\nMeasured: {source}."),
+            source => tr!("{said}\nMeasured: {source}.", said, source),
         })
     }
 
@@ -120,7 +120,12 @@ pub(super) fn from_references(lit: &[&Lit], lights: &[&str]) -> String {
     let each = lit.iter().zip(lights).map(|(lit, light)| {
         let delta = lit.delta_e_2000;
         let seen = Seen::of(delta).seen();
-        format!("under {light} ΔE₀₀ {delta:.1} from its reference, {seen}")
+        tr!(
+            "under {light} ΔE₀₀ {delta} from its reference, {seen}",
+            light,
+            delta = fixed(delta, 1),
+            seen
+        )
     });
     let each: Vec<String> = each.collect();
     format!("{name}: {}", each.join("; "))
@@ -129,12 +134,15 @@ pub(super) fn from_references(lit: &[&Lit], lights: &[&str]) -> String {
 /// What the halves of the fields are, in a line.
 pub(super) fn caption(lights: &[&str]) -> String {
     match lights {
-        [light] => format!(
-            "left {light}, right its reference; below the difference ΔE₀₀, each by its own white"
+        [light] => tr!(
+            "left {light}, right its reference; below the difference ΔE₀₀, each by its own white",
+            light
         ),
-        [first, second, ..] => format!(
+        [first, second, ..] => tr!(
             "left {first}, right {second}, the strip below each its reference; below the \
-             differences ΔE₀₀ from them, each by its own white"
+             differences ΔE₀₀ from them, each by its own white",
+            first,
+            second
         ),
         [] => String::new(),
     }

@@ -17,6 +17,7 @@ use crate::{
         ticks::short,
     },
     io::Quantity,
+    languages::{said, with_sign},
 };
 
 /// The table, computed once an entry.
@@ -37,10 +38,12 @@ impl MakersView {
             return false;
         }
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.is_open, false, "Colour and error");
-            let words = format!("By the instrument ({makers})");
+            ui.selectable_value(&mut self.is_open, false, said!("Colour and error"));
+            let words = tr!("By the instrument ({makers})", makers);
             ui.selectable_value(&mut self.is_open, true, words)
-                .on_hover_text("The figures that the instrument wrote into the file, beside ours.");
+                .on_hover_text(said!(
+                    "The figures that the instrument wrote into the file, beside ours."
+                ));
         });
         self.is_open
     }
@@ -52,22 +55,26 @@ impl MakersView {
         let rows = &*self.made.get(of, |entry| beside(&entry.0));
         let mut said = None;
         ui.horizontal(|ui| {
-            section(ui, "By the instrument");
+            section(ui, said!("By the instrument"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let meaning = "Copies every number of the instrument beside ours.";
-                if pressed_small(ui, "Copy CSV", meaning) {
+                let meaning = said!("Copies every number of the instrument beside ours.");
+                if pressed_small(ui, said!("Copy CSV"), meaning) {
                     ui.ctx()
                         .copy_text(makers::table(rows).csv().trim_end().to_owned());
-                    said = Some("Copied as CSV: the instrument's numbers beside ours.".to_owned());
+                    said = Some(
+                        said!("Copied as CSV: the instrument's numbers beside ours.").to_owned(),
+                    );
                 }
             });
         });
         let (near, far): (Vec<&Beside>, Vec<&Beside>) = rows.iter().partition(|row| is_near(row));
         table(ui, "by the instrument", &near);
         if !far.is_empty() {
-            egui::CollapsingHeader::new(format!("{} more of the instrument's", far.len()))
-                .id_salt("more by the instrument")
-                .show(ui, |ui| table(ui, "more by the instrument", &far));
+            egui::CollapsingHeader::new(tr!(
+                "{n} more of the instrument's" | "{n} more of the instrument's" % far.len()
+            ))
+            .id_salt("more by the instrument")
+            .show(ui, |ui| table(ui, "more by the instrument", &far));
         }
         said
     }
@@ -81,13 +88,14 @@ fn is_near(row: &Beside) -> bool {
 fn table(ui: &mut Ui, id: &str, rows: &[&Beside]) {
     figure_grid(ui, id, |ui| {
         ui.weak("");
-        ui.weak("instrument")
-            .on_hover_text("As the file states it.");
-        ui.weak("ours").on_hover_text(
-            "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm \
-                 (CIE 1931), totals over the table's own points.",
-        );
-        ui.weak("difference").on_hover_text("Ours less theirs.");
+        ui.weak(said!("instrument"))
+            .on_hover_text(said!("As the file states it."));
+        ui.weak(said!("ours")).on_hover_text(said!(
+            "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm (CIE \
+             1931), totals over the table's own points."
+        ));
+        ui.weak(said!("difference"))
+            .on_hover_text(said!("Ours less theirs."));
         ui.end_row();
         for row in rows {
             line(ui, row);
@@ -98,12 +106,12 @@ fn table(ui: &mut Ui, id: &str, rows: &[&Beside]) {
 fn line(ui: &mut Ui, row: &Beside) {
     let decimals = decimals(&row.quantity);
     let written = |value: f64| match decimals {
-        Some(decimals) => format!("{value:.decimals$}"),
+        Some(decimals) => with_sign(format!("{value:.decimals$}")),
         None => short(value),
     };
     let quantity = match &row.quantity {
-        Quantity::PeakNm => "peak".to_owned(),
-        Quantity::DominantNm => "dominant".to_owned(),
+        Quantity::PeakNm => said!("peak").to_owned(),
+        Quantity::DominantNm => said!("dominant").to_owned(),
         other => shortened(&other.to_string()),
     };
     let name = match row.unit.as_str() {
@@ -125,22 +133,23 @@ fn line(ui: &mut Ui, row: &Beside) {
                 None => short(difference),
             };
             match row.told_to.filter(|_| row.is_as_told()) {
-                Some(told_to) => ui.weak("as told").on_hover_text(format!(
-                    "As far as the file's figures tell: it writes {} and so leaves ±{} open; the \
-                     difference, {text}, is within that.",
-                    short(row.theirs),
-                    short(told_to)
+                Some(told_to) => ui.weak(said!("as told")).on_hover_text(tr!(
+                    "As far as the file's figures tell: it writes {figure} and so leaves ±{width} \
+                     open; the difference, {difference}, is within that.",
+                    figure = short(row.theirs),
+                    width = short(told_to),
+                    difference = text
                 )),
                 None => ui.monospace(text),
             };
         }
         Err(why) => {
             ui.monospace("–");
-            ui.small(egui::RichText::new(why).weak())
+            ui.small(egui::RichText::new(said(why)).weak())
                 .on_hover_text(if why == NOT_YET {
-                    "This program has no such number yet."
+                    said!("This program has no such number yet.")
                 } else {
-                    "Why this program has no number for this spectrum."
+                    said!("Why this program has no number for this spectrum.")
                 });
         }
     }
@@ -157,16 +166,16 @@ fn decimals(quantity: &Quantity) -> Option<usize> {
 
 fn meaning(quantity: &Quantity) -> &'static str {
     match quantity {
-        Quantity::Illuminance => "Illuminance: 683 lm/W times the sum with y-bar, lx.",
-        Quantity::Luminance => "Luminance: 683 lm/W times the sum with y-bar, cd m⁻².",
-        Quantity::Irradiance => "Power on an area, over the whole table.",
-        Quantity::Ppfd => "Photons of 400-700 nm on an area, µmol m⁻² s⁻¹.",
-        Quantity::Pfd => "Photons on an area over the whole table, µmol m⁻² s⁻¹.",
+        Quantity::Illuminance => said!("Illuminance: 683 lm/W times the sum with y-bar, lx."),
+        Quantity::Luminance => said!("Luminance: 683 lm/W times the sum with y-bar, cd m⁻²."),
+        Quantity::Irradiance => said!("Power on an area, over the whole table."),
+        Quantity::Ppfd => said!("Photons of 400-700 nm on an area, µmol m⁻² s⁻¹."),
+        Quantity::Pfd => said!("Photons on an area over the whole table, µmol m⁻² s⁻¹."),
         Quantity::TristimulusX | Quantity::TristimulusY | Quantity::TristimulusZ => {
-            "Tristimulus value of CIE 1931, Y in lx."
+            said!("Tristimulus value of CIE 1931, Y in lx.")
         }
-        Quantity::PeakNm => "Wavelength of the largest value of the table, nm.",
-        _ => "A number of the maker's own, in the maker's words.",
+        Quantity::PeakNm => said!("Wavelength of the largest value of the table, nm."),
+        _ => said!("A number of the maker's own, in the maker's words."),
     }
 }
 

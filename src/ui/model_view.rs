@@ -18,6 +18,7 @@ use crate::{
         pages::knob::Knob, range_words,
     },
     io::quoted,
+    languages::{fixed, said, with_sign},
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
 };
 
@@ -27,22 +28,22 @@ const SLIDER_ORDERS: std::ops::RangeInclusive<usize> = 0..=40;
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     /// The order slider.
-    pub const ORDER: &str = "Waves (order N)";
+    pub const ORDER: &str = later!("Waves (order N)");
     /// The spike threshold slider.
-    pub const THRESHOLD: &str = "Threshold";
+    pub const THRESHOLD: &str = later!("Threshold");
     /// The widest line.
-    pub const WIDTH: &str = "Widest line";
+    pub const WIDTH: &str = later!("Widest line");
     /// The colour-exact switch.
-    pub const COLOUR_EXACT: &str = "Colour-exact";
+    pub const COLOUR_EXACT: &str = later!("Colour-exact");
     /// The spikes switch.
-    pub const SPIKES: &str = "Keep lines";
+    pub const SPIKES: &str = later!("Keep lines");
     /// The absorption switch.
-    pub const DIPS: &str = "Dark lines too";
+    pub const DIPS: &str = later!("Dark lines too");
 }
 
 /// Draws the knobs; what changed is pushed as one command. Gives what is to be said about it.
 pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) -> Option<String> {
-    section(ui, "Model");
+    section(ui, said!("Model"));
     subject_switch(ui, app, commands);
     let before = app.document().settings;
     let mut settings = before;
@@ -81,7 +82,7 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
             let button = egui::Button::selectable(chosen, name)
                 .truncate()
                 .min_size(size);
-            let meaning = "Models the light, or the surface that is chosen.";
+            let meaning = said!("Models the light, or the surface that is chosen.");
             if ui.add(button).on_hover_text(meaning).clicked() {
                 commands.push(Command::About(subject));
             }
@@ -96,27 +97,27 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
                 .on_hover_text(basis.meaning());
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.checkbox(&mut settings.colour_exact, names::COLOUR_EXACT)
-                .on_hover_text(
+            ui.checkbox(&mut settings.colour_exact, said(names::COLOUR_EXACT))
+                .on_hover_text(said!(
                     "The model keeps X, Y and Z of the spectrum exactly. It costs no numbers and \
-                     needs one wave or more.",
-                );
+                     needs one wave or more."
+                ));
         });
     });
 }
 
 fn order_row(ui: &mut Ui, settings: &mut Settings) {
-    let label = ui.label(names::ORDER);
+    let label = ui.label(said(names::ORDER));
     ui.add(
         Slider::new(&mut settings.order, SLIDER_ORDERS)
             .clamping(SliderClamping::Never)
             .integer(),
     )
     .labelled_by(label.id)
-    .on_hover_text(format!(
-        "Waves of the smooth part: order N of its series, {} (the slider ends at 40; type more). \
-         The left and right arrow keys change it too.",
-        reach_words(&Settings::ORDER)
+    .on_hover_text(tr!(
+        "Waves of the smooth part: order N of its series, {range} (the slider ends at 40; type \
+         more). The left and right arrow keys change it too.",
+        range = reach_words(&Settings::ORDER)
     ));
     *settings = settings.clamped();
     ui.end_row();
@@ -125,13 +126,14 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
 /// "0 to 100".
 fn reach_words<T>(knob: &Knob<T>) -> String {
     let range = knob.reach.range();
-    format!("{} to {}", range.start(), range.end())
+    let [least, most] = [range.start(), range.end()].map(|end| with_sign(end.to_string()));
+    tr!("{least} to {most}", least, most)
 }
 
 /// Gives what is to be said: another range is taken than the one asked for.
 fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> {
     let mut said = None;
-    ui.label("Range");
+    ui.label(said!("Range"));
     ui.horizontal(|ui| {
         let ends = <[f64; 2]>::from(settings.band);
         let (shortest, most) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
@@ -139,13 +141,14 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
         let typed = [RefCell::default(), RefCell::default()];
         let low_range = (max - most).max(0.0)..=max - shortest;
         let low = edge(&mut min, &typed[0]).range(low_range);
-        let low =
-            number(ui, low, "Range from").on_hover_text("First wavelength of the model, whole nm.");
-        ui.label("to");
+        let low = number(ui, low, said!("Range from"))
+            .on_hover_text(said!("First wavelength of the model, whole nm."));
+        ui.label(said!("to"));
         let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
         let high = edge(&mut max, &typed[1]).range(high_range);
-        let high = number(ui, high, "Range to")
-            .on_hover_text("Last wavelength of the model, whole nm; at least 20 nm more.");
+        let high = number(ui, high, said!("Range to")).on_hover_text(said!(
+            "Last wavelength of the model, whole nm; at least 20 nm more."
+        ));
         if (low.changed() || high.changed())
             && let Ok(band) = Band::new(min.round(), max.round())
         {
@@ -156,16 +159,17 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
                 said = typed_words(&text, ends, end, settings.band);
             }
         }
-        let meaning = "Back to the range 380 to 780 nm.";
+        let meaning = said!("Back to the range 380 to 780 nm.");
         if settings.band != Band::VISIBLE && pressed_small(ui, "380-780", meaning) {
             settings.band = Band::VISIBLE;
         }
         if let Some((table, band)) = table_beyond(app, settings.band)
             && ui
-                .small_button("table's")
-                .on_hover_text(format!(
-                    "The range of the spectrum's own table, {} to {} nm.",
-                    table[0], table[1]
+                .small_button(said!("table's"))
+                .on_hover_text(tr!(
+                    "The range of the spectrum's own table, {first_nm} to {last_nm} nm.",
+                    first_nm = fixed(table[0], 0),
+                    last_nm = fixed(table[1], 0)
                 ))
                 .clicked()
         {
@@ -180,10 +184,12 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
 /// What is said of a text that was typed as one end of a range.
 fn typed_words(text: &str, ends: [f64; 2], end: usize, taken: Band) -> Option<String> {
     let Some(nm) = wavelength(text) else {
-        let [min_nm, max_nm] = <[f64; 2]>::from(taken);
-        return Some(format!(
-            "The model's range: expected whole nm, found {}; {min_nm} to {max_nm} nm stays.",
-            quoted(text)
+        let [min_nm, max_nm] = <[f64; 2]>::from(taken).map(|nm| with_sign(nm.to_string()));
+        return Some(tr!(
+            "The model's range: expected whole nm, found {found}; {min_nm} to {max_nm} nm stays.",
+            found = quoted(text),
+            min_nm,
+            max_nm
         ));
     };
     let mut asked = ends;
@@ -199,11 +205,13 @@ fn wavelength(text: &str) -> Option<f64> {
 }
 
 fn observer_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
-    ui.label("Observer");
+    ui.label(said!("Observer"));
     let choice = Choice {
-        name: "Observer",
-        meaning: "The colour-matching functions that make X, Y and Z. A file of three sensitivities, \
-                  such as a camera's, is listed here once it is open.",
+        name: said!("Observer"),
+        meaning: said!(
+            "The colour-matching functions that make X, Y and Z. A file of three sensitivities, \
+             such as a camera's, is listed here once it is open."
+        ),
         width: ui.spacing().combo_width,
     };
     // Only while the list is open: an opened file is a table to be read off.
@@ -240,9 +248,9 @@ fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragVa
 }
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {
-    ui.label("Products");
+    ui.label(said!("Products"));
     let choice = Choice {
-        name: "Products by",
+        name: said!("Products by"),
         meaning: sampling_words(settings.sampling).1,
         width: ui.spacing().combo_width + 34.0,
     };
@@ -253,9 +261,9 @@ fn products_row(ui: &mut Ui, settings: &mut Settings) {
 /// What values on screen are counted in.
 fn scale_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let scale = app.document().scale;
-    ui.label("Scale");
+    ui.label(said!("Scale"));
     let choice = Choice {
-        name: "Scale",
+        name: said!("Scale"),
         meaning: scale.meaning(),
         width: ui.spacing().combo_width + 34.0,
     };
@@ -276,7 +284,7 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     if !document.light.is_of_the_paper() {
         return;
     }
-    let label = ui.label("Weight factor");
+    let label = ui.label(said!("Weight factor"));
     let mut factor = document.weight_factor;
     let changed = ui
         .add(
@@ -286,9 +294,9 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
                 .suffix(" nm"),
         )
         .labelled_by(label.id)
-        .on_hover_text(
-            "The weights of the paper's Table 4 times this are unit x nm; the paper does not say.",
-        )
+        .on_hover_text(said!(
+            "The weights of the paper's Table 4 times this are unit x nm; the paper does not say."
+        ))
         .changed();
     if changed {
         commands.push(Command::WeightFactor(factor));
@@ -300,29 +308,31 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
 pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
     match sampling {
         Sampling::Paper => (
-            "paper's points",
-            "Products on as many points as there are numbers: waves above N fold back.",
+            said!("paper's points"),
+            said!("Products on as many points as there are numbers: waves above N fold back."),
         ),
         Sampling::ThreeN => (
-            "3N + 1 points",
-            "Waves up to N of the product are exact (Fourier); for an odd N it is one point more. \
-             The reflectance is modelled too.",
+            said!("3N + 1 points"),
+            said!(
+                "Waves up to N of the product are exact (Fourier); for an odd N it is one point \
+                 more. The reflectance is modelled too."
+            ),
         ),
         Sampling::FourN => (
-            "4N + 1 points",
-            "Every wave of one product is exact (Fourier). The reflectance is modelled too.",
+            said!("4N + 1 points"),
+            said!("Every wave of one product is exact (Fourier). The reflectance is modelled too."),
         ),
         Sampling::Double => (
-            "twice the numbers",
-            "Products on twice as many points as there are numbers.",
+            said!("twice the numbers"),
+            said!("Products on twice as many points as there are numbers."),
         ),
         Sampling::Convolution => (
-            "convolution",
-            "The coefficients convolved and cut back to N waves: all above is lost.",
+            said!("convolution"),
+            said!("The coefficients convolved and cut back to N waves: all above is lost."),
         ),
         Sampling::Exact => (
-            "exact, 1 nm",
-            "Products on the 1 nm grid with the reflectance as measured.",
+            said!("exact, 1 nm"),
+            said!("Products on the 1 nm grid with the reflectance as measured."),
         ),
     }
 }

@@ -9,9 +9,12 @@ use super::{
     keys::{Act, SHORTCUTS},
     kit::{self, text_field},
 };
-use crate::app::{
-    App, Entry,
-    pages::{Page, Place},
+use crate::{
+    app::{
+        App, Entry,
+        pages::{Page, Place},
+    },
+    languages::said,
 };
 
 #[derive(Clone, Debug)]
@@ -93,7 +96,10 @@ impl PaletteView {
         let area = egui::Modal::default_area(id).anchor(Align2::CENTER_TOP, down);
         let modal = egui::Modal::new(id).area(area).show(context, |ui| {
             ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - 64.0));
-            let words = ["Find anything", "Search lights, pages and commands"];
+            let words = [
+                said!("Find anything"),
+                said!("Search lights, pages and commands"),
+            ];
             let field = text_field(ui, &mut self.text, words, f32::INFINITY);
             field.request_focus();
             if field.changed() {
@@ -113,7 +119,7 @@ impl PaletteView {
                     }
                 }
                 if found.is_empty() {
-                    ui.weak("Nothing found. Try: LED, candle, quality, print.");
+                    ui.weak(said!("Nothing found. Try: LED, candle, quality, print."));
                 }
             });
         });
@@ -133,7 +139,7 @@ fn found(context: &Context, app: &App, text: &str) -> Vec<(String, &'static str,
     let wanted: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
     let pages = Page::all().map(|page| {
         let name = format!("{}: {}", page.place().title(), page.title());
-        (name, "page", Chosen::Page(page))
+        (name, said!("page"), Chosen::Page(page))
     });
     let acts = SHORTCUTS
         .iter()
@@ -142,7 +148,7 @@ fn found(context: &Context, app: &App, text: &str) -> Vec<(String, &'static str,
             let first = SHORTCUTS.iter().find(|(_, of, _)| of == act);
             !matches!(act, Act::Place(_) | Act::Palette) && first.is_some_and(|f| f.0 == *keys)
         })
-        .map(|(_, act, words)| ((*words).to_owned(), "command", Chosen::Act(*act)));
+        .map(|(_, act, words)| (said(words).to_owned(), said!("command"), Chosen::Act(*act)));
     let mut all: Vec<_> = pages.chain(acts).collect();
     all.retain(|(name, ..)| {
         let name = name.to_lowercase();
@@ -157,7 +163,7 @@ fn found(context: &Context, app: &App, text: &str) -> Vec<(String, &'static str,
     // Spectra come as the library's search has them: the best first.
     let entries = kit::found(context, app, text).into_iter().map(|entry| {
         let name = entry.name().to_owned();
-        (name, entry.kind().word(), Chosen::Entry(entry))
+        (name, said(entry.kind().word()), Chosen::Entry(entry))
     });
     all.extend(entries);
     all.sort_by_key(|(name, ..)| !begins(name));

@@ -14,6 +14,7 @@ use crate::{
         under_favourites, verdicts::Seen,
     },
     color::Swatch,
+    languages::fixed,
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -42,16 +43,19 @@ pub(super) fn head(
     commands: &mut Vec<Command>,
 ) {
     if !app.document().is_about_light() {
-        let words = format!("{} under six lights", app.document().subject_entry().name());
+        let words = tr!(
+            "{surface} under six lights",
+            surface = app.document().subject_entry().name()
+        );
         ui.add(egui::Label::new(words).truncate());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
+            seen_choice(ui, app, (said!("How surfaces are seen"), 220.0), commands);
         });
         return;
     }
     let choice = Choice {
-        name: "Set of surfaces",
-        meaning: "The surfaces that the light falls on.",
+        name: said!("Set of surfaces"),
+        meaning: said!("The surfaces that the light falls on."),
         width: 140.0,
     };
     set_choice(ui, choice, app, commands);
@@ -63,7 +67,7 @@ pub(super) fn head(
     let halves = match &app.document().second {
         Some(second) => format!("{} | {}", app.document().light.name(), second.name()),
         None if whole => String::new(),
-        None => "measured | model".to_owned(),
+        None => said!("measured | model").to_owned(),
     };
     if ui.available_width() > 420.0 {
         let rest = ui.available_width() - 240.0;
@@ -74,11 +78,13 @@ pub(super) fn head(
         let off = |field: &&Field<'_>| !field.halves.iter().all(|half| half.in_gamut);
         let count = fields.items.iter().filter(off).count();
         if count > 0 && ui.available_width() > 330.0 {
-            ui.label(small(&format!("◥ {count} outside the screen's colours")));
+            ui.label(small(&tr!(
+                "◥ {n} outside the screen's colours" | "◥ {n} outside the screen's colours" % count
+            )));
         }
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
+        seen_choice(ui, app, (said!("How surfaces are seen"), 220.0), commands);
     });
 }
 
@@ -92,7 +98,9 @@ pub(super) fn patches(
     let Some(fields) = Fields::of(app, whole) else {
         if app.document().is_about_light() {
             ui.add_space(6.0);
-            ui.weak("There is no visible light in this range: surfaces would be black.");
+            ui.weak(said!(
+                "There is no visible light in this range: surfaces would be black."
+            ));
         } else {
             under_lights(ui, app, theme);
         }
@@ -128,7 +136,7 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
         let size = vec2(width, (inside.height() - row - 2.0).max(1.0));
         let field = egui::Rect::from_min_size(egui::pos2(left, inside.top()), size);
         let mut child = ui.new_child(egui::UiBuilder::new().max_rect(field));
-        let name = format!("Under {light}: {}", colour.hex());
+        let name = tr!("Under {light}: {hex}", light, hex = colour.hex());
         swatch::split(&mut child, size, colour, colour, &name).on_hover_text(name.as_str());
         let at = egui::pos2(field.center().x, inside.bottom());
         let words = lay(light, &font);
@@ -177,7 +185,7 @@ impl<'a> Fields<'a> {
         };
         Some(Self {
             items: patches.items.iter().map(field).collect(),
-            under: ["the measured light", "the model"].map(str::to_owned),
+            under: [said!("the measured light"), said!("the model")].map(str::to_owned),
         })
     }
 
@@ -210,7 +218,7 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                 let [first, second] = patch.halves;
                 let off = patch.delta_e_2000;
                 let name = match off {
-                    Some(off) => format!("{}: ΔE₀₀ {off:.3}", patch.name),
+                    Some(off) => format!("{}: ΔE₀₀ {}", patch.name, fixed(off, 3)),
                     None => format!("{}: {}", patch.name, first.hex()),
                 };
                 let response = swatch::split(ui, vec2(width, height), first, second, &name);
@@ -234,14 +242,20 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                     response.on_hover_text(name.as_str());
                     continue;
                 };
-                let mark = if is_worst { " (the worst)" } else { "" };
-                response.on_hover_text(format!(
-                    "{}{mark}: ΔE₀₀ {off:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
-                     Click to see the light off it in the plot.",
-                    patch.name,
-                    Seen::of(off).seen(),
-                    first.hex(),
-                    second.hex(),
+                let surface = match is_worst {
+                    true => tr!("{surface} (the worst)", surface = patch.name),
+                    false => patch.name.to_owned(),
+                };
+                response.on_hover_text(tr!(
+                    "{surface}: ΔE₀₀ {difference}, {seen}\nLeft under {left} {left_hex}, right \
+                     under {right} {right_hex}.\nClick to see the light off it in the plot.",
+                    surface,
+                    difference = fixed(off, 4),
+                    seen = Seen::of(off).seen(),
+                    left,
+                    left_hex = first.hex(),
+                    right,
+                    right_hex = second.hex()
                 ));
             }
         });

@@ -12,11 +12,14 @@ use super::{
     painter::{encode_png, picture_with},
     theme,
 };
-use crate::app::{
-    App,
-    chart::{Chart, Drawing, Looks, Theme},
-    lessons::Lesson,
-    workspace::Preferences,
+use crate::{
+    app::{
+        App,
+        chart::{Chart, Drawing, Looks, Theme},
+        lessons::Lesson,
+        workspace::Preferences,
+    },
+    languages,
 };
 
 /// Frames until layout, fonts and automatic axes are settled.
@@ -41,9 +44,11 @@ pub fn window_image(app: &App, preferences: &Preferences, size: [u32; 2]) -> Col
     let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
     let mut window = Window::new(app.clone(), preferences, no_files, None);
     window.quiet = true;
-    picture_with(&context, sides(size), 1.0, PASSES, |ui| {
-        window.show(ui);
-        window.studies.finish();
+    languages::in_language(preferences.language, || {
+        picture_with(&context, sides(size), 1.0, PASSES, |ui| {
+            window.show(ui);
+            window.studies.finish();
+        })
     })
 }
 

@@ -8,14 +8,42 @@ use egui::{
 };
 
 use super::theme::Theme;
+use crate::languages::{said, translated};
 
 /// Thickness of the ring and the room between it and what it is around, points.
 const RING: f32 = 3.0;
 const ROOM: f32 = 4.0;
 /// What screen readers are told before the words beside it.
-const HERE: &str = "Here: ";
+const HERE: &str = later!("Here: ");
 /// Size of the words beside it, points.
 const TYPE: f32 = 15.0;
+
+/// Names with something filled in that lessons point at, as they are drawn.
+const FILLED: [&str; 5] = [
+    later!("Library: {name}"),
+    later!("Move down step {number}"),
+    later!("Thickness of step {number}"),
+    later!("Fader {number}"),
+    later!("Channel {number}: {title}"),
+];
+
+/// How what a lesson calls a name in English may begin in the language spoken.
+fn spoken(wanted: &str) -> Vec<String> {
+    let filled = FILLED.into_iter().filter_map(|english| {
+        let (head, rest) = english.split_once('{')?;
+        let (place, _) = rest.split_once('}')?;
+        let value = wanted.strip_prefix(head.trim_end())?.trim();
+        let words = match value {
+            "" => said(english).to_owned(),
+            value => said(english).replace(&format!("{{{place}}}"), value),
+        };
+        let begins = words.split('{').next().unwrap_or_default().to_owned();
+        (!begins.is_empty()).then_some(begins)
+    });
+    let mut all = vec![wanted.to_owned(), translated(wanted).into_owned()];
+    all.extend(filled);
+    all
+}
 
 /// Finds what is called a name among all that was drawn last.
 #[derive(Default)]
@@ -31,8 +59,7 @@ struct Finder {
 impl Finder {
     /// How well a node fits, the best first: what is called so before what only begins so, and a
     /// control before the words beside it.
-    fn fits(&self, node: &Node, all: &[(NodeId, Node)]) -> Option<(bool, bool)> {
-        let wanted = self.wanted.as_deref()?;
+    fn fits(wanted: &[String], node: &Node, all: &[(NodeId, Node)]) -> Option<(bool, bool)> {
         // A slider has its name in the words before it.
         let before = node.labelled_by().iter();
         let before = before.filter_map(|by| all.iter().find(|(id, _)| id == by));
@@ -40,9 +67,11 @@ impl Finder {
         let names = named
             .flat_map(|node| [node.label(), node.value()])
             .flatten();
-        let fitting = names.filter(|name| name.starts_with(wanted));
+        let fitting = names.filter(|name| wanted.iter().any(|wanted| name.starts_with(wanted)));
         let is_words = matches!(node.role(), Role::Label | Role::TextRun);
-        fitting.map(|name| (name != wanted, is_words)).min()
+        fitting
+            .map(|name| (wanted.iter().all(|wanted| name != wanted), is_words))
+            .min()
     }
 }
 
@@ -73,7 +102,8 @@ impl Plugin for Finder {
             return;
         };
         let nodes = update.nodes.iter();
-        let fits = |node: &Node| self.fits(node, &update.nodes);
+        let wanted = self.wanted.as_deref().map(spoken).unwrap_or_default();
+        let fits = |node: &Node| Self::fits(&wanted, node, &update.nodes);
         let fitting = nodes.filter_map(|(id, node)| Some((fits(node)?, *id, rect_of(node)?)));
         // Of several with a name the first from above is meant: a slider, not the number beside it.
         let order = |(fits, id, rect): &((bool, bool), NodeId, Rect)| {
@@ -100,7 +130,7 @@ impl Plugin for Finder {
 
 /// Whether a person reads or works it: words about the ring itself apart.
 fn is_busy(node: &Node) -> bool {
-    let is_ring = |name: &str| name.starts_with(HERE);
+    let is_ring = |name: &str| name.starts_with(said(HERE));
     match node.role() {
         Role::Label => !node.label().or(node.value()).is_some_and(is_ring),
         Role::Button
@@ -178,7 +208,7 @@ pub(super) fn ring(
     painter.galley(at.min, words, theme.ground);
     context.accesskit_node_builder(id, |node| {
         node.set_role(Role::Label);
-        node.set_label(format!("{HERE}{label}"));
+        node.set_label(format!("{}{label}", said(HERE)));
         node.set_bounds(egui::accesskit::Rect {
             x0: rect.left().into(),
             y0: rect.top().into(),

@@ -44,7 +44,11 @@ pub(super) fn show(ui: &mut Ui, preferences: &mut Preferences, has_words: bool, 
         };
         icon(ui.painter(), place, middle, ink);
         if has_words {
-            let font = egui::TextStyle::Small.resolve(ui.style());
+            let mut font = egui::TextStyle::Small.resolve(ui.style());
+            let title = place.title().to_owned();
+            let wide = ui.painter().layout_no_wrap(title, font.clone(), ink);
+            // A longer word than there is room for is smaller.
+            font.size *= ((rect.width() - 4.0) / wide.size().x.max(1.0)).min(1.0);
             let at = pos2(rect.center().x, rect.bottom() - 14.0);
             ui.painter()
                 .text(at, Align2::CENTER_CENTER, place.title(), font, ink);
@@ -52,7 +56,12 @@ pub(super) fn show(ui: &mut Ui, preferences: &mut Preferences, has_words: bool, 
         if response.clicked() && !is_here {
             preferences.go_to(place);
         }
-        let words = format!("{}: {} (Ctrl+{})", place.title(), place.asks(), number + 1);
+        let words = tr!(
+            "{place}: {question} (Ctrl+{number})",
+            place = place.title(),
+            question = place.asks(),
+            number = number + 1
+        );
         response.on_hover_text(words);
     }
 }

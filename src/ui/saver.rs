@@ -57,7 +57,7 @@ impl Saver {
                     ..
                 } = &job;
                 let text = workspace::to_json_with(document, Some(preferences), waiting);
-                let text = text.map_err(|why| format!("Workspace not saved: {why}."));
+                let text = text.map_err(|why| tr!("Workspace not saved: {reason}.", reason = why));
                 if let Err(why) = text.and_then(|text| workspace::save(&path, &text)) {
                     // The window may be gone already; then nobody is left to be told.
                     tell.send(why);

@@ -7,7 +7,10 @@ use super::{
     kit::{cut_words, named, named_choice},
     theme::Theme,
 };
-use crate::app::{App, Entry, chart::Ink};
+use crate::{
+    app::{App, Entry, chart::Ink},
+    languages::said,
+};
 
 /// What the second light was clicked for.
 pub(super) enum Wish {
@@ -30,7 +33,7 @@ pub(super) fn show(
     let cross = 26.0 * theme.scale;
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();
-    let words = format!("vs {}", second.name());
+    let words = tr!("vs {light}", light = second.name());
     let galley = cut_words(ui, &words, font.clone(), ink, width - cross - 36.0);
     let size = vec2(
         (galley.size().x + cross + 36.0).min(width.max(60.0)),
@@ -47,10 +50,10 @@ pub(super) fn show(
         &name,
         egui::Role::Button,
         is_choosing,
-        &format!("Compared with {}", second.name()),
+        &tr!("Compared with {light}", light = second.name()),
     );
     let close = ui.interact(left, id.with("no more"), Sense::click());
-    named(&close, egui::Role::Button, NO_MORE);
+    named(&close, egui::Role::Button, said(NO_MORE));
     let visuals = ui.visuals();
     let lit = |response: &egui::Response| response.hovered() || response.has_focus();
     let fill = match (is_choosing, lit(&name)) {
@@ -73,8 +76,8 @@ pub(super) fn show(
     painter.text(left.center(), middle, "✕", font, ink);
     let summary = app.compared().map_or("", |compared| &compared.summary);
     let (chooses, closes) = (name.clicked(), close.clicked());
-    name.on_hover_text(format!("{summary}\nClick to choose another."));
-    close.on_hover_text("Compares no more.");
+    name.on_hover_text(tr!("{summary}\nClick to choose another.", summary));
+    close.on_hover_text(said!("Compares no more."));
     if closes {
         return Some(Wish::NoMore);
     }
@@ -82,4 +85,4 @@ pub(super) fn show(
 }
 
 /// What the cross of the second light is called.
-const NO_MORE: &str = "Compare no more";
+const NO_MORE: &str = later!("Compare no more");

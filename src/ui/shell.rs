@@ -16,6 +16,7 @@ use crate::app::{
     following::FollowAsked,
     workspace::{self, Place, Preferences, StoredImage},
 };
+use crate::languages::Language;
 
 /// Why there is no window.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,6 +70,8 @@ pub struct Restart {
     pub preferences: Preferences,
     /// Images that are to be read again.
     pub images: Vec<StoredImage>,
+    /// Nothing was kept before.
+    pub is_first: bool,
     /// Where this window keeps its workspace; `None` where nothing is kept. No other window writes
     /// there for as long as this lives.
     pub place: Option<Place>,
@@ -77,6 +80,7 @@ pub struct Restart {
 /// What a window over the workspace at a path starts with.
 pub fn restore(path: Option<&std::path::Path>) -> Restart {
     let begun = path.map(workspace::begin).unwrap_or_default();
+    let is_first = begun.restored.is_none();
     let (mut app, preferences, images) = match begun.restored {
         Some(restored) => Window::restored(restored),
         None => (App::new(), Preferences::default(), Vec::new()),
@@ -88,6 +92,7 @@ pub fn restore(path: Option<&std::path::Path>) -> Restart {
         app,
         preferences,
         images,
+        is_first,
         place: begun.place,
     }
 }
@@ -130,10 +135,14 @@ pub fn run(start: Start) -> Result<(), NoWindow> {
 fn open(start: Start) -> eframe::Result {
     let Restart {
         app,
-        preferences,
+        mut preferences,
         images,
+        is_first,
         place,
     } = restore(start.workspace.as_deref());
+    if is_first {
+        preferences.speak(Language::of_system());
+    }
     let size = preferences.window.unwrap_or(FIRST_SIZE);
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()

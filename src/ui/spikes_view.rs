@@ -1,5 +1,6 @@
 //! The lines as a table: place, weight, share, name; each can be changed, locked, deleted.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
 use egui::{Align, DragValue, Layout, Ui};
 
@@ -7,7 +8,10 @@ use super::{
     kit::{named_choice, number, pressed, sign_button},
     theme::Theme,
 };
-use crate::app::{App, SpikeAct, ticks};
+use crate::{
+    app::{App, SpikeAct, ticks},
+    languages::fixed,
+};
 
 /// Draws the table; an act is pushed for the window to carry out.
 pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
@@ -17,9 +21,9 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
     if spikes.is_empty() {
         ui.add_space(6.0);
         ui.weak(if app.document().settings.spikes {
-            "No lines. Push Lines to the right, or set one: + Line above the plot."
+            said!("No lines. Push Lines to the right, or set one: + Line above the plot.")
         } else {
-            "Lines are switched off."
+            said!("Lines are switched off.")
         });
         return;
     }
@@ -33,16 +37,16 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                 titles(ui, app);
                 for (index, spike) in spikes.iter().enumerate() {
                     let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
-                    let place = DragValue::new(&mut at_nm)
+                    let place = drag_value(&mut at_nm)
                         .speed(0.1)
                         .range(band.min_nm()..=band.max_nm())
                         .fixed_decimals(2);
-                    let place = number(ui, place, &format!("Line {} place", index + 1));
+                    let place = number(ui, place, &tr!("Line {number} place", number = index + 1));
                     let size = weight.abs().max(f64::MIN_POSITIVE);
-                    let power = DragValue::new(&mut weight)
+                    let power = drag_value(&mut weight)
                         .speed(0.01 * size)
                         .custom_formatter(|v, _| ticks::short(v));
-                    let power = number(ui, power, &format!("Line {} weight", index + 1));
+                    let power = number(ui, power, &tr!("Line {number} weight", number = index + 1));
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
                             index,
@@ -51,18 +55,18 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                         });
                     }
                     let share = derived.parts.share(spike.spike.weight);
-                    figure(ui, share.map(|share| format!("{:.2}", 100.0 * share)));
-                    figure(ui, spike.width_nm.map(|width| format!("{width:.1}")));
+                    figure(ui, share.map(|share| fixed(100.0 * share, 2)));
+                    figure(ui, spike.width_nm.map(|width| fixed(width, 1)));
                     let name = app.spike_names().get(index);
                     let line = ui.label(name.and_then(|n| n.label.as_deref()).unwrap_or("–"));
                     if let Some(whole) = name.and_then(|n| n.safe.as_deref()) {
                         line.clone().on_hover_text(whole);
                     }
                     if spike.peaks > 1 {
-                        line.on_hover_text(format!(
-                            "{} peaks without a valley between them make one line. Another \
+                        line.on_hover_text(tr!(
+                            "{count} peaks without a valley between them make one line. Another \
                              threshold can part or join them.",
-                            spike.peaks
+                            count = spike.peaks
                         ));
                     }
                     ui.horizontal(|ui| hand(ui, index, spike.hand.is_some(), acts));
@@ -82,28 +86,25 @@ fn figure(ui: &mut Ui, figure: Option<String>) {
 fn titles(ui: &mut Ui, app: &App) {
     let unit = app.unit();
     ui.weak("nm");
-    ui.weak("weight").on_hover_text(format!(
-        "Radiant power of the line, in {} x nm.",
-        if unit.is_empty() {
-            "the file's unit"
-        } else {
-            &unit
-        }
-    ));
+    ui.weak(said!("weight"))
+        .on_hover_text(match unit.is_empty() {
+            true => said!("Radiant power of the line, in the file's unit x nm.").to_owned(),
+            false => tr!("Radiant power of the line, in {unit} x nm.", unit),
+        });
     for (title, meaning) in [
-        ("%", "Of the total power in the range, percent."),
+        ("%", said!("Of the total power in the range, percent.")),
         (
-            "width, nm",
-            "Full width at half maximum of the measured line, nm.",
+            said!("width, nm"),
+            said!("Full width at half maximum of the measured line, nm."),
         ),
     ] {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.weak(title).on_hover_text(meaning)
         });
     }
-    ui.weak("line")
-        .on_hover_text("Named only where the name is safe.");
-    ui.weak("lock");
+    ui.weak(said!("line"))
+        .on_hover_text(said!("Named only where the name is safe."));
+    ui.weak(said!("lock"));
     ui.end_row();
 }
 
@@ -111,9 +112,9 @@ fn titles(ui: &mut Ui, app: &App) {
 fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
     let lock = ui
         .checkbox(&mut locked, "")
-        .on_hover_text("Keeps this line whatever the threshold is.");
+        .on_hover_text(said!("Keeps this line whatever the threshold is."));
     let number = index + 1;
-    let name = format!("Lock line {number}");
+    let name = tr!("Lock line {number}", number);
     named_choice(&lock, egui::Role::CheckBox, locked, &name);
     if lock.changed() {
         acts.push(if locked {
@@ -122,8 +123,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
             SpikeAct::Unlock { index }
         });
     }
-    let name = format!("Delete line {number}");
-    let meaning = "Removes this line; its light goes back to the waves.";
+    let name = tr!("Delete line {number}", number);
+    let meaning = said!("Removes this line; its light goes back to the waves.");
     if sign_button(ui, "✕", &name, meaning) {
         acts.push(SpikeAct::Delete { index });
     }
@@ -132,9 +133,9 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
 /// The row above the table.
 pub(super) fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
-    ui.weak("Drag lines in the plot or edit them here.");
-    let meaning = "Back to the lines that are found.";
-    if !edits.is_empty() && pressed(ui, "Forget hand edits", meaning) {
+    ui.weak(said!("Drag lines in the plot or edit them here."));
+    let meaning = said!("Back to the lines that are found.");
+    if !edits.is_empty() && pressed(ui, said!("Forget hand edits"), meaning) {
         acts.push(SpikeAct::Reset);
     }
 }

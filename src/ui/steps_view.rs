@@ -13,13 +13,16 @@ use super::{
     swatch,
     theme::{Theme, grey, of_seen},
 };
-use crate::app::{App, behind_slit, verdicts::Seen};
+use crate::{
+    app::{App, behind_slit, verdicts::Seen},
+    languages::said,
+};
 
 /// Height of the strip, points: half of it each.
 const STRIP: f32 = 32.0;
 
 /// What stands in the strip below the swatch, for those who have it read out.
-const STRIP_NAME: &str = "Through a prism: measured above, model below";
+const STRIP_NAME: &str = later!("Through a prism: measured above, model below");
 
 /// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
 pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
@@ -35,7 +38,7 @@ pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
         return;
     }
     let size = vec2(ui.available_width(), STRIP * theme.scale);
-    let (rect, response) = drawing(ui, size, Sense::hover(), STRIP_NAME);
+    let (rect, response) = drawing(ui, size, Sense::hover(), said(STRIP_NAME));
     let mut mesh = egui::Mesh::default();
     let width = rect.width() / colours.len() as f32;
     for (k, both) in colours.iter().enumerate() {
@@ -49,7 +52,7 @@ pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
     }
     ui.painter().add(mesh);
     // The eye sees nothing at the end of the long wavelengths: it is dark in both looks.
-    for (row, words) in ["measured", "model"].into_iter().enumerate() {
+    for (row, words) in [said!("measured"), said!("model")].into_iter().enumerate() {
         let middle = rect.top() + (row as f32 + 0.5) * rect.height() / 2.0;
         let font = egui::FontId::proportional(11.0 * theme.scale);
         let at = egui::pos2(rect.right() - 4.0, middle);
@@ -57,15 +60,15 @@ pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
         ui.painter()
             .text(at, Align2::RIGHT_CENTER, words, font, ink);
     }
-    response.on_hover_text(
+    response.on_hover_text(said!(
         "Through a prism, behind a slit of 10 nm: 380 to 780 nm where the range reaches, each \
-         wavelength as bright as the light is there.",
-    );
+         wavelength as bright as the light is there."
+    ));
 }
 
 /// What a difference is judged by: both have the same four steps.
-pub(super) const TO_THE_EYE: &str = "To the eye";
-pub(super) const TO_AN_INSTRUMENT: &str = "To an instrument";
+pub(super) const TO_THE_EYE: &str = later!("To the eye");
+pub(super) const TO_AN_INSTRUMENT: &str = later!("To an instrument");
 
 /// Whose scale it is, and the four words, the one that holds filled.
 pub(super) fn scale(
@@ -86,7 +89,7 @@ pub(super) fn scale(
     };
     let widths = Seen::ALL.map(|seen| wide(seen.word()));
     // Both rows begin at the same place.
-    let label = wide(TO_THE_EYE).max(wide(TO_AN_INSTRUMENT)) + gap;
+    let label = wide(said(TO_THE_EYE)).max(wide(said(TO_AN_INSTRUMENT))) + gap;
     let total = widths.iter().sum::<f32>();
     let room = ui.available_width() - 4.0 * gap - label;
     let air = ((room - total) / 4.0).max(4.0);

@@ -58,13 +58,17 @@ fn place() -> egui::Id {
 /// The menu of a swatch: its colours can be taken to the page "From a colour".
 pub(super) fn menu(response: &Response, colours: [Srgb; 2]) {
     response.context_menu(|ui| {
-        ui.label("Which surfaces have this colour?");
-        let parts: &[&str] = match colours[0] == colours[1] {
-            true => &[""],
-            false => &["left: ", "right: "],
+        ui.label(said!("Which surfaces have this colour?"));
+        let [left, right] = colours;
+        let parts = match left == right {
+            true => vec![left.to_string()],
+            false => vec![
+                tr!("left: {colour}", colour = left),
+                tr!("right: {colour}", colour = right),
+            ],
         };
-        for (part, colour) in parts.iter().zip(colours) {
-            if ui.button(format!("{part}{colour}")).clicked() {
+        for (words, colour) in parts.into_iter().zip(colours) {
+            if ui.button(words).clicked() {
                 ui.data_mut(|data| data.insert_temp(place(), colour.0));
                 ui.close();
             }

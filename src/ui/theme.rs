@@ -7,6 +7,7 @@ use eframe::egui;
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Stroke, TextStyle, Vec2,
     epaint::text::{FontInsert, FontPriority, InsertFontFamily},
+    style::NumberFormatter,
 };
 
 pub use crate::app::studies::Wake;
@@ -15,6 +16,7 @@ use crate::app::{
     verdicts::Seen,
     workspace::Preferences,
 };
+use crate::languages::with_sign;
 
 /// From this size of the window on type grows with it, points, and how much at most.
 const LARGE: Vec2 = Vec2::new(1920.0, 1080.0);
@@ -175,6 +177,9 @@ pub fn apply(context: &Context, preferences: &Preferences) {
             (TextStyle::Monospace, FontId::monospace(size(12.5))),
         ]
         .into();
+        style.number_formatter = NumberFormatter::new(|number, decimals| {
+            with_sign(egui::emath::format_with_decimals_in_range(number, decimals))
+        });
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
         style.spacing.button_padding = Vec2::new(7.0, 2.0);
         style.spacing.interact_size.y = size(20.0);

@@ -7,12 +7,15 @@ use egui::{Button, Ui};
 
 use super::keys::Act;
 use crate::app::{export::Export, workspace::Preferences};
+use crate::languages::{Language, said};
 
 /// What the bar can ask for beside commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
     /// As a shortcut would.
     Act(Act),
+    /// The window speaks a language from now on.
+    Speak(Language),
     /// No second light.
     CompareNoMore,
     /// The page where something is followed.
@@ -65,12 +68,12 @@ pub(super) fn open_menu(
         lessons,
         is_page,
     } = menus;
-    ui.menu_button("Open", |ui| {
+    ui.menu_button(said!("Open"), |ui| {
         let mut item = |ui: &mut Ui, is_on: bool, [words, meaning]: [&str; 2], wish: Wish| {
             let button = ui.add_enabled(is_on, Button::new(words));
             let button = button.on_disabled_hover_text(match wish {
-                Wish::Summary => "There is something here once several files were opened.",
-                _ => "A file dialog is open already; answer that one first.",
+                Wish::Summary => said!("There is something here once several files were opened."),
+                _ => said!("A file dialog is open already; answer that one first."),
             });
             if button.on_hover_text(meaning).clicked() {
                 wishes.push(wish);
@@ -78,46 +81,50 @@ pub(super) fn open_menu(
             }
         };
         let words = [
-            "Open files…",
-            "Spectra, spectral images or a project (Ctrl+O). Files and folders can also \
-                  be dropped on the window.",
+            said!("Open files…"),
+            said!(
+                "Spectra, spectral images or a project (Ctrl+O). Files and folders can also be \
+                 dropped on the window."
+            ),
         ];
         item(ui, !dialog_open, words, Wish::Act(Act::Open));
         let words = [
-            "Open a folder…",
-            "Opens every file in a folder and the folders below it (Ctrl+Shift+F).",
+            said!("Open a folder…"),
+            said!("Opens every file in a folder and the folders below it (Ctrl+Shift+F)."),
         ];
         item(ui, !dialog_open, words, Wish::Act(Act::OpenFolder));
         let words = [
-            "Type a path…",
-            "Opens a file, or every file of a folder (Ctrl+Shift+O).",
+            said!("Type a path…"),
+            said!("Opens a file, or every file of a folder (Ctrl+Shift+O)."),
         ];
         if !is_page {
             item(ui, true, words, Wish::Act(Act::TypePath));
             let words = [
-                "Follow…",
-                "A light that changes: a file or a folder that an instrument writes, lines over TCP \
-                 or a serial port, a recording.",
+                said!("Follow…"),
+                said!(
+                    "A light that changes: a file or a folder that an instrument writes, lines \
+                     over TCP or a serial port, a recording."
+                ),
             ];
             item(ui, true, words, Wish::Follow);
         }
         ui.separator();
         let words = [
-            "Files opened together…",
-            "The outcome for each file of the last folder or choice of files.",
+            said!("Files opened together…"),
+            said!("The outcome for each file of the last folder or choice of files."),
         ];
         item(ui, has_summary, words, Wish::Summary);
         if let Some(folder) = lessons {
-            let meaning = format!(
-                "{}: lessons in it are in the list of Learn. Click to copy the path.",
-                folder.display()
+            let meaning = tr!(
+                "{folder}: lessons in it are in the list of Learn. Click to copy the path.",
+                folder = folder.display()
             );
-            let words = ["Folder of your lessons", &meaning];
+            let words = [said!("Folder of your lessons"), &meaning];
             item(ui, true, words, Wish::LessonsFolder);
         }
         if !preferences.recent.is_empty() {
             ui.separator();
-            ui.weak("Opened last");
+            ui.weak(said!("Opened last"));
         }
         for (index, path) in preferences.recent.iter().enumerate() {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -126,17 +133,19 @@ pub(super) fn open_menu(
         }
     })
     .response
-    .on_hover_text("Open files, a folder, a typed path or a recent file.");
+    .on_hover_text(said!(
+        "Open files, a folder, a typed path or a recent file."
+    ));
 }
 
 /// What can be saved, by what it is of.
 const GROUPS: [(&str, &[Export]); 3] = [
     (
-        "Spectrum",
+        later!("Spectrum"),
         &[Export::Spdx, Export::ArgyllSp, Export::SpectrumJson],
     ),
     (
-        "Model",
+        later!("Model"),
         &[
             Export::CompositeJson,
             Export::CompositeLine,
@@ -147,7 +156,7 @@ const GROUPS: [(&str, &[Export]); 3] = [
         ],
     ),
     (
-        "Figure",
+        later!("Figure"),
         &[Export::PlotSvg, Export::CurveSvg, Export::SheetSvg],
     ),
 ];
@@ -155,23 +164,23 @@ const GROUPS: [(&str, &[Export]); 3] = [
 /// What is saved most.
 const FIRST: [(&str, &str, Wish); 4] = [
     (
-        "Spectrum and model (CSV)",
-        "Its numbers as a table.",
+        later!("Spectrum and model (CSV)"),
+        later!("Its numbers as a table."),
         Wish::Save(Export::Csv),
     ),
     (
-        "Plot (PNG)",
-        "The picture of the spectrum.",
+        later!("Plot (PNG)"),
+        later!("The picture of the spectrum."),
         Wish::SavePlotPng,
     ),
     (
-        "Sheet about the light (PDF)",
-        "One page: what it is, how good it is, its colours, its numbers.",
+        later!("Sheet about the light (PDF)"),
+        later!("One page: what it is, how good it is, its colours, its numbers."),
         Wish::SaveSheetPdf,
     ),
     (
-        "Project",
-        "Everything that is open, to go on later (Ctrl+S).",
+        later!("Project"),
+        later!("Everything that is open, to go on later (Ctrl+S)."),
         Wish::Save(Export::Project),
     ),
 ];
@@ -180,12 +189,16 @@ const FIRST: [(&str, &str, Wish); 4] = [
 pub(super) fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: &mut Vec<Wish>) {
     ui.add_enabled_ui(!dialog_open, |ui| {
         for (words, meaning, asked) in FIRST {
-            if ui.button(words).on_hover_text(meaning).clicked() {
+            if ui
+                .button(said(words))
+                .on_hover_text(said(meaning))
+                .clicked()
+            {
                 wishes.push(asked);
                 ui.close();
             }
         }
-        ui.menu_button("More formats", |ui| {
+        ui.menu_button(said!("More formats"), |ui| {
             let most = (ui.ctx().content_rect().height() - 120.0).max(120.0);
             egui::ScrollArea::vertical()
                 .max_height(most)
@@ -200,14 +213,18 @@ pub(super) fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: 
             ui.close();
         }
     };
-    item(ui, "Print this page (Ctrl+P)", Act::Print);
-    item(ui, "Copy a picture of the window", Act::CopyPicture);
-    item(ui, "Copy the command line for this view", Act::CopyCommand);
-    if is_page && ui.button("Copy a link to this view").clicked() {
+    item(ui, said!("Print this page (Ctrl+P)"), Act::Print);
+    item(ui, said!("Copy a picture of the window"), Act::CopyPicture);
+    item(
+        ui,
+        said!("Copy the command line for this view"),
+        Act::CopyCommand,
+    );
+    if is_page && ui.button(said!("Copy a link to this view")).clicked() {
         wishes.push(Wish::CopyLink);
         ui.close();
     }
-    ui.menu_button("Copy as text", |ui| {
+    ui.menu_button(said!("Copy as text"), |ui| {
         for export in [
             Export::CompositeLine,
             Export::Csv,
@@ -215,7 +232,10 @@ pub(super) fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: 
             Export::SpikesCsv,
             Export::CurveCsv,
         ] {
-            if ui.button(format!("Copy: {}", export.title())).clicked() {
+            if ui
+                .button(tr!("Copy: {what}", what = export.title()))
+                .clicked()
+            {
                 wishes.push(Wish::Copy(export));
                 ui.close();
             }
@@ -231,14 +251,14 @@ fn more_formats(ui: &mut Ui, wishes: &mut Vec<Wish>) {
         }
     };
     for (title, exports) in GROUPS {
-        ui.weak(title);
+        ui.weak(said(title));
         for export in exports {
             wish(ui, export.title(), Wish::Save(*export));
             // A picture stands beside the same picture in another form.
             if *export == Export::CurveSvg {
-                wish(ui, "Error against waves (PNG)", Wish::SaveCurvePng);
+                wish(ui, said!("Error against waves (PNG)"), Wish::SaveCurvePng);
             }
         }
     }
-    wish(ui, "Window (PNG)", Wish::SaveWindowPng);
+    wish(ui, said!("Window (PNG)"), Wish::SaveWindowPng);
 }

@@ -12,7 +12,10 @@ use super::{
     theme::{FINGER, Theme, grey},
     top_menus::{open_menu, save_menu},
 };
-use crate::app::{App, workspace::Preferences};
+use crate::{
+    app::{App, workspace::Preferences},
+    languages::{Language, fixed},
+};
 
 /// How the drawer stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,11 +48,11 @@ pub(super) fn show(
             if room == Room::Much {
                 ui.separator();
             }
-            ui.menu_button("Save", |ui| {
+            ui.menu_button(said!("Save"), |ui| {
                 save_menu(ui, [menus.dialog_open, menus.is_page], wishes)
             })
             .response
-            .on_hover_text("Save or copy spectrum, model, tables and pictures.");
+            .on_hover_text(said!("Save or copy spectrum, model, tables and pictures."));
             open_menu(ui, preferences, menus, wishes);
             if room == Room::Much {
                 ui.separator();
@@ -72,7 +75,7 @@ pub(super) fn show(
                         }
                     }
                     None => {
-                        let compare = if room == Room::Much { COMPARE } else { 30.0 };
+                        let compare = compare_width(ui, room);
                         let most = room_for_both - compare;
                         light(ui, app, drawer, most.min(MOST_NAME), theme);
                         compare_button(ui, drawer, room);
@@ -105,15 +108,36 @@ impl Room {
 const COMPARE: f32 = 92.0;
 const MOST_NAME: f32 = 420.0;
 
+/// Room for the button that lays another spectrum over: wider where its words are longer than in
+/// English.
+fn compare_width(ui: &Ui, room: Room) -> f32 {
+    if room != Room::Much {
+        return 30.0;
+    }
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let wide = |words: &str| {
+        let words = words.to_owned();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(words, font.clone(), Color32::WHITE);
+        galley.size().x
+    };
+    COMPARE * (wide(said!("+ Compare")) / wide("+ Compare")).max(1.0)
+}
+
 fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
-    let words = if room == Room::Much { "+ Compare" } else { "+" };
+    let words = if room == Room::Much {
+        said!("+ Compare")
+    } else {
+        "+"
+    };
     let button = Button::selectable(drawer.open && drawer.compares, words);
     let compare = ui.add(button.frame_when_inactive(true));
-    named(&compare, egui::Role::Button, "+ Compare");
-    let compare = compare.on_hover_text(
-        "A second light beside this one, on every page: choose it in the library. A surface \
-         is compared with surfaces.",
-    );
+    named(&compare, egui::Role::Button, said!("+ Compare"));
+    let compare = compare.on_hover_text(said!(
+        "A second light beside this one, on every page: choose it in the library. A surface is \
+         compared with surfaces."
+    ));
     if compare.clicked() {
         drawer.choose_second();
     }
@@ -143,7 +167,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let open = drawer.open && !drawer.compares;
-    let name = format!("Library: {name}");
+    let name = tr!("Library: {name}", name);
     named_choice(&response, egui::Role::Button, open, &name);
     let visuals = ui.visuals();
     let fill = match (open, response.hovered() || response.has_focus()) {
@@ -171,17 +195,23 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
             compares: false,
         };
     }
-    response.on_hover_text("Opens the library (Ctrl+L).");
+    response.on_hover_text(said!("Opens the library (Ctrl+L)."));
 }
 
 fn steps(ui: &mut Ui, app: &App, wishes: &mut Vec<Wish>) {
     for (name, sign, act, words, key) in [
-        ("Redo", "⟳", Act::Redo, app.redo_words(), "Ctrl+Shift+Z"),
-        ("Undo", "⟲", Act::Undo, app.undo_words(), "Ctrl+Z"),
+        (
+            said!("Redo"),
+            "⟳",
+            Act::Redo,
+            app.redo_words(),
+            "Ctrl+Shift+Z",
+        ),
+        (said!("Undo"), "⟲", Act::Undo, app.undo_words(), "Ctrl+Z"),
     ] {
         let button = ui.add_enabled(words.is_some(), Button::new(sign).frame(false));
         named(&button, egui::Role::Button, name);
-        let words = words.unwrap_or_else(|| "nothing".to_owned());
+        let words = words.unwrap_or_else(|| said!("nothing").to_owned());
         let button = button.on_hover_text(format!("{name}: {words} ({key})"));
         if button.clicked() {
             wishes.push(Wish::Act(act));
@@ -197,47 +227,74 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
                 ui.close();
             }
         };
-        wish(ui, "Shortcuts (Shift+F1)", Wish::Act(Act::Shortcuts));
-        wish(ui, "Find anything… (Ctrl+K)", Wish::Act(Act::Palette));
-        wish(ui, "The ways to begin", Wish::Act(Act::Greeting));
-        wish(ui, "About and licences", Wish::About);
+        wish(ui, said!("Shortcuts (Shift+F1)"), Wish::Act(Act::Shortcuts));
+        wish(
+            ui,
+            said!("Find anything… (Ctrl+K)"),
+            Wish::Act(Act::Palette),
+        );
+        wish(ui, said!("The ways to begin"), Wish::Act(Act::Greeting));
+        wish(ui, said!("About and licences"), Wish::About);
         ui.separator();
-        wish(ui, "Larger (Ctrl++)", Wish::Act(Act::ZoomIn));
-        wish(ui, "Smaller (Ctrl+-)", Wish::Act(Act::ZoomOut));
+        wish(ui, said!("Larger (Ctrl++)"), Wish::Act(Act::ZoomIn));
+        wish(ui, said!("Smaller (Ctrl+-)"), Wish::Act(Act::ZoomOut));
         let words = match preferences.touch {
-            Some(true) => "Targets for a pointer",
-            _ => "Targets for fingers",
+            Some(true) => said!("Targets for a pointer"),
+            _ => said!("Targets for fingers"),
         };
         wish(ui, words, Wish::Act(Act::Touch));
-        let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
+        let percent = tr!(
+            "Zoom 100 %, now {share} % (Ctrl+0)",
+            share = fixed(f64::from(100.0 * preferences.zoom), 0)
+        );
         wish(ui, &percent, Wish::Act(Act::ZoomReset));
         ui.separator();
         let (_, words) = eyes::next(preferences.without_cones);
-        let words = format!("{words} (Ctrl+Shift+D)");
+        let words = tr!("{words} (Ctrl+Shift+D)", words);
         wish(ui, &words, Wish::Act(Act::Eyes));
     });
-    named(&help.response, egui::Role::Button, "Help");
-    help.response.on_hover_text("Shortcuts, licences, zoom.");
+    named(&help.response, egui::Role::Button, said!("Help"));
+    help.response
+        .on_hover_text(said!("Shortcuts, licences, zoom."));
     let words = if room == Room::Little {
         "▶"
     } else {
-        "Present"
+        said!("Present")
     };
     let present = ui.add(Button::selectable(preferences.present, words).frame_when_inactive(true));
-    named(&present, egui::Role::Button, "Present");
-    let present = present
-        .on_hover_text("This page for a class: its picture and its main controls, large (F5).");
+    named(&present, egui::Role::Button, said!("Present"));
+    let present = present.on_hover_text(said!(
+        "This page for a class: its picture and its main controls, large (F5)."
+    ));
     if present.clicked() {
         wishes.push(Wish::Act(Act::Present));
     }
+    speaks(ui, preferences.language, wishes);
     let (sign, words) = if preferences.dark {
-        ("☀", "Light surroundings (Ctrl+D).")
+        ("☀", said!("Light surroundings (Ctrl+D)."))
     } else {
-        ("☾", "Dark surroundings (Ctrl+D).")
+        ("☾", said!("Dark surroundings (Ctrl+D)."))
     };
     let theme = ui.add(Button::new(RichText::new(sign)));
-    named(&theme, egui::Role::Button, "Surroundings");
+    named(&theme, egui::Role::Button, said!("Surroundings"));
     if theme.on_hover_text(words).clicked() {
         wishes.push(Wish::Act(Act::Theme));
     }
+}
+
+/// The language of the window, by its code: whoever cannot read what is shown still finds it.
+fn speaks(ui: &mut Ui, language: Language, wishes: &mut Vec<Wish>) {
+    let menu = ui.menu_button(language.code().to_uppercase(), |ui| {
+        for other in Language::ALL {
+            let button = Button::selectable(other == language, other.name());
+            if ui.add(button).clicked() {
+                wishes.push(Wish::Speak(other));
+                ui.close();
+            }
+        }
+    });
+    named(&menu.response, egui::Role::Button, said!("Language"));
+    menu.response.on_hover_text(said!(
+        "The language of the window, its lessons and its sheets."
+    ));
 }

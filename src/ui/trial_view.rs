@@ -34,10 +34,12 @@ impl TrialView {
         theme: Theme,
     ) {
         let chooser = Chooser {
-            name: "Try another lamp",
-            meaning: "Takes the lesson with another light in place of its own, out of sight, and \
-                      says where its claim fails.",
-            says: "Try another lamp…",
+            name: said!("Try another lamp"),
+            meaning: said!(
+                "Takes the lesson with another light in place of its own, out of sight, and says \
+                 where its claim fails."
+            ),
+            says: said!("Try another lamp…"),
             offers: lights,
             width: ui.available_width().min(260.0 * theme.scale),
         };
@@ -53,7 +55,7 @@ impl TrialView {
         };
         let job = studies.job();
         job.put(&ask, wake);
-        progress(ui, job, "The trial");
+        progress(ui, job, said!("The trial"));
         let Some(trial) = job.result_for(&ask) else {
             return;
         };

@@ -11,15 +11,18 @@ use super::{
     swatch,
     theme::Theme,
 };
-use crate::app::{
-    App, Command,
-    answers::{Worst, judged_on, of_how_many, verdict, verdict_alone, white_words},
-    behind_slit::BehindSlit,
-    numbers::two_digits,
-    verdicts::Seen,
-    workspace::Preferences,
-};
 use crate::study::Measure;
+use crate::{
+    app::{
+        App, Command,
+        answers::{Worst, judged_on, verdict, verdict_alone, white_words},
+        behind_slit::BehindSlit,
+        numbers::two_digits,
+        verdicts::Seen,
+        workspace::Preferences,
+    },
+    languages::said,
+};
 
 /// What of the column is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,7 +36,7 @@ pub enum Side {
 }
 
 /// The button that has a composite analysed.
-pub const ANALYSE: &str = "Analyse it anew";
+pub const ANALYSE: &str = later!("Analyse it anew");
 
 /// Height of the swatch without the ground around it, points.
 pub(super) const SWATCH: f32 = 96.0;
@@ -72,11 +75,15 @@ pub fn foot(ui: &mut Ui, theme: Theme, side: &mut Side) {
     ui.columns(2, |columns| {
         for (ui, (words, to, meaning)) in columns.iter_mut().zip([
             (
-                "All figures",
+                said!("All figures"),
                 Side::Figures,
-                "XYZ, chromaticity, errors, every line.",
+                said!("XYZ, chromaticity, errors, every line."),
             ),
-            ("Settings", Side::Settings, "Every knob of the model."),
+            (
+                said!("Settings"),
+                Side::Settings,
+                said!("Every knob of the model."),
+            ),
         ]) {
             let size = vec2(ui.available_width(), 28.0 * theme.scale);
             if ui
@@ -99,7 +106,12 @@ fn rule(ui: &mut Ui) {
 }
 
 pub(super) fn no_colour(ui: &mut Ui) {
-    ui.add(Label::new("No visible light in this range: there is no colour to compare.").wrap());
+    ui.add(
+        Label::new(said!(
+            "No visible light in this range: there is no colour to compare."
+        ))
+        .wrap(),
+    );
 }
 
 /// Both colours on a ground of their own, told apart by two ticks.
@@ -108,10 +120,10 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         return no_colour(ui);
     };
-    let name = format!(
-        "Colour: measured {}, model {}",
-        exact.swatch.hex(),
-        model.swatch.hex()
+    let name = tr!(
+        "Colour: measured {measured}, model {model}",
+        measured = exact.swatch.hex(),
+        model = model.swatch.hex()
     );
     let size = vec2(ui.available_width(), height + 16.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -128,29 +140,36 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
         ui.ctx().copy_text(text);
     }
     let off_screen = !(exact.swatch.in_gamut && model.swatch.in_gamut);
-    response.on_hover_text(format!(
-        "Left as measured {}, right by the model {}. {}.{} Click to copy both.",
-        exact.swatch.hex(),
-        model.swatch.hex(),
-        crate::io::many::capitalised(exact.swatch.mapping.words()),
-        if off_screen {
-            " It lies outside the screen's colours."
-        } else {
-            ""
-        }
-    ));
+    let [measured, by_model] = [exact, model].map(|colour| colour.swatch.hex());
+    let mapping = crate::io::many::capitalised(said(exact.swatch.mapping.words()));
+    response.on_hover_text(match off_screen {
+        true => tr!(
+            "Left as measured {measured}, right by the model {by_model}. {mapping}. It lies \
+             outside the screen's colours. Click to copy both.",
+            measured,
+            by_model,
+            mapping
+        ),
+        false => tr!(
+            "Left as measured {measured}, right by the model {by_model}. {mapping}. Click to copy \
+             both.",
+            measured,
+            by_model,
+            mapping
+        ),
+    });
     if !says {
         return;
     }
     ui.horizontal(|ui| {
         let small = |words: &str| RichText::new(words.to_owned()).small().color(theme.faint);
-        ui.label(small("measured"));
+        ui.label(small(said!("measured")));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(small("model"));
+            ui.label(small(said!("model")));
             let middle = if app.document().is_about_light() {
-                "as seen beside daylight".to_owned()
+                said!("as seen beside daylight").to_owned()
             } else {
-                format!("under {}", app.document().light.name())
+                tr!("under {light}", light = app.document().light.name())
             };
             let words = Label::new(small(&middle)).truncate();
             if ui.available_width() > 90.0 * theme.scale {
@@ -181,32 +200,43 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(words).wrap())
             .on_hover_text(verdict(app, seen));
-        scale(ui, TO_THE_EYE, seen, Seen::meaning, theme);
+        scale(ui, said(TO_THE_EYE), seen, Seen::meaning, theme);
         eye_caption(ui, app, worst, theme);
     }
     if let Some(behind) = BehindSlit::of(app) {
         ui.add_space(2.0);
         let meaning = Seen::meaning_behind_slit;
-        scale(ui, TO_AN_INSTRUMENT, behind.step, meaning, theme);
-        let words = format!("{} % off behind a slit of 10 nm", behind.percent());
+        scale(ui, said(TO_AN_INSTRUMENT), behind.step, meaning, theme);
+        let words = tr!(
+            "{share} % off behind a slit of 10 nm",
+            share = behind.percent()
+        );
         ui.label(RichText::new(words).small())
             .on_hover_text(Measure::RmsBlurred.figure().meaning);
     }
     if let Some(surfaces) = app.surfaces().filter(|_| worst.is_some()) {
         let words = RichText::new(surfaces.brief()).small();
         ui.add(Label::new(words.color(theme.faint)).wrap())
-            .on_hover_text(format!(
-                "{} All tables of surfaces that ship and were measured, under the light and \
-                 under the model.",
-                surfaces.sentence()
+            .on_hover_text(tr!(
+                "{sentence} All tables of surfaces that ship and were measured, under the light \
+                 and under the model.",
+                sentence = surfaces.sentence()
             ));
     }
 }
 
+/// How many surfaces are looked at.
+fn surfaces(app: &App) -> Option<usize> {
+    Some(app.derived().patches.as_ref()?.items.len())
+}
+
 fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
-    let at = match &worst.patch {
-        None => "of its own colour".to_owned(),
-        Some(patch) => format!("at worst{} ({patch})", of_how_many(app)),
+    let at = match (&worst.patch, surfaces(app)) {
+        (None, _) => said!("of its own colour").to_owned(),
+        (Some(patch), Some(count)) => {
+            tr!("at worst of {count} ({surface})", count, surface = patch)
+        }
+        (Some(patch), None) => tr!("at worst ({surface})", surface = patch),
     };
     // Where there are no patches it is said already.
     let own = app.derived().colour.delta_e_2000;
@@ -214,13 +244,15 @@ fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
         if let Some(own) = own {
-            let words = format!("the light itself {}", figure(own));
+            let words = tr!("the light itself {difference}", difference = figure(own));
             ui.label(RichText::new(words).small().color(theme.faint));
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
             ui.add(Label::new(RichText::new(words).small()).truncate())
-                .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
+                .on_hover_text(said!(
+                    "CIEDE2000, the CIE's measure of how different two colours look."
+                ));
         });
     });
 }
@@ -239,23 +271,25 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     };
     let figure = |measure: Measure| Some((measure.figure(), derived.figures[measure]?));
     let moved = match app.document().is_about_light() {
-        true => "Light moved along the spectrum",
-        false => "Moved along the spectrum",
+        true => said!("Light moved along the spectrum"),
+        false => said!("Moved along the spectrum"),
     };
     if let Some((figure, value)) = figure(Measure::Displacement) {
         let words = format!("{}{}", two_digits(figure.shown(value)), figure.unit.tail);
         row(moved, words, figure.meaning);
     }
     if !derived.has_errors() {
-        let nothing = "nothing to compare".to_owned();
-        row("The spectrum", nothing, derived.why_no_errors());
+        let nothing = said!("nothing to compare").to_owned();
+        row(said!("The spectrum"), nothing, derived.why_no_errors());
     }
     if let Some(white) = white_words(app) {
         row(
-            "White",
+            said!("White"),
             white,
-            "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and which \
-             way it leaves the line of blackbodies (Duv).",
+            said!(
+                "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and \
+                 which way it leaves the line of blackbodies (Duv)."
+            ),
         );
     }
 }
@@ -278,21 +312,26 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
             ui.label(match instead {
-                0 => "numbers".to_owned(),
-                _ => format!("numbers instead of {instead}"),
+                0 => said!("numbers").to_owned(),
+                _ => tr!("numbers instead of {count}", count = instead),
             });
             let lines = match lines {
-                0 => "no lines".to_owned(),
-                1 => "2 for one line".to_owned(),
-                n => format!("{} for {n} lines", 2 * n),
+                0 => said!("no lines").to_owned(),
+                n => tr!(
+                    "2 for one line" | "{numbers} for {n} lines" % n,
+                    numbers = 2 * n
+                ),
             };
-            let label = match app.derived().model.has_widths() {
-                true => ", 1 for widths",
-                false => "",
-            };
-            let words = format!("{smooth} for the smooth part, {lines}{label}");
+            let smooth = tr!("{n} for the smooth part" | "{n} for the smooth part" % smooth);
+            let mut words = format!("{smooth}, {lines}");
+            if model.has_widths() {
+                words += ", ";
+                words += said!("1 for widths");
+            }
             ui.label(RichText::new(words).small().color(theme.faint))
-                .on_hover_text("N waves take 2N + 1 numbers; a line takes two, place and weight.");
+                .on_hover_text(said!(
+                    "N waves take 2N + 1 numbers; a line takes two, place and weight."
+                ));
         });
     });
 }
@@ -300,8 +339,9 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     small_warnings(ui, theme, &app.derived().warnings);
-    let meaning = "Takes the composite apart like a measured spectrum, with the knobs of before.";
-    if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
+    let meaning =
+        said!("Takes the composite apart like a measured spectrum, with the knobs of before.");
+    if app.document().as_given().is_some() && pressed_small(ui, said(ANALYSE), meaning) {
         commands.push(Command::Analyse);
     }
 }
@@ -310,22 +350,33 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
 /// the column.
 pub fn line(ui: &mut Ui, app: &App) -> bool {
     let words = Worst::of(app).map_or_else(
-        || "no colour".to_owned(),
+        || said!("no colour").to_owned(),
         |worst| {
             let seen = Seen::of(worst.delta_e_2000).seen();
-            let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
-            format!("ΔE₀₀ {off} at worst{of}: {seen}")
+            let difference = figure(worst.delta_e_2000);
+            match surfaces(app) {
+                Some(count) => tr!(
+                    "ΔE₀₀ {difference} at worst of {count}: {seen}",
+                    difference,
+                    count,
+                    seen
+                ),
+                None => tr!("ΔE₀₀ {difference} at worst: {seen}", difference, seen),
+            }
         },
     );
-    let text = format!("Model: {} numbers, {words}", app.derived().numbers());
+    let text = tr!(
+        "Model: {n} numbers, {verdict}" | "Model: {n} numbers, {verdict}" % app.derived().numbers(),
+        verdict = words
+    );
     ui.add(
         Button::new(RichText::new(text).small())
             .frame(false)
             .truncate(),
     )
-    .on_hover_text(format!(
-        "Opens the model's verdict and its knobs beside the page. Judged {}.",
-        judged_on(app)
+    .on_hover_text(tr!(
+        "Opens the model's verdict and its knobs beside the page. Judged {surfaces}.",
+        surfaces = judged_on(app)
     ))
     .clicked()
 }
@@ -334,7 +385,7 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
 pub fn edge(ui: &mut Ui, is_open: bool) -> bool {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click());
-    let words = "Verdict, figures, settings";
+    let words = said!("Verdict, figures, settings");
     named_choice(&response, egui::Role::Button, is_open, words);
     let ink = if response.hovered() || response.has_focus() {
         ui.visuals().strong_text_color()

@@ -9,7 +9,8 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 17] = [
+const ROOMS: [(&str, &[&str]); 18] = [
+    ("languages", &[]),
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -41,6 +42,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "preset",
             "spectrum",
             "io",
+            "languages",
         ],
     ),
     (
@@ -61,6 +63,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "preset",
             "spectrum",
             "io",
+            "languages",
         ],
     ),
     (
@@ -81,6 +84,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "preset",
             "spectrum",
             "io",
+            "languages",
         ],
     ),
 ];

@@ -24,6 +24,7 @@ mod fine_data;
 mod held_out;
 mod lamps;
 mod lamps_golden;
+mod languages;
 mod layers;
 mod model;
 mod optics_any_settings;

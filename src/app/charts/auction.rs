@@ -1,5 +1,6 @@
 //! The auction as a chart, as a table and as a model for the document.
 
+use crate::languages::fixed;
 use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words};
 use crate::{
     app::{
@@ -18,7 +19,12 @@ use crate::{
 };
 
 /// Names of the plain goals for people, in the order of `Goal::PLAIN`.
-pub const NAMES: [&str; 4] = ["own colour", "surfaces", "spectrum", "narrow filters"];
+pub const NAMES: [&str; 4] = [
+    later!("own colour"),
+    later!("surfaces"),
+    later!("spectrum"),
+    later!("narrow filters"),
+];
 
 /// The goal without what does not exist for the document's subject; when nothing is left, the
 /// first figure that does exist.
@@ -43,7 +49,7 @@ pub fn goal_words(goal: Goal) -> String {
     match goal.plain_measure() {
         Some(measure) if measure.is_colour() => format!("ΔE₀₀ {}", measure.figure().goal),
         Some(measure) => measure.figure().goal.to_owned(),
-        None => format!("mix of errors ({})", goal.words()),
+        None => tr!("mix of errors ({words})", words = goal.words()),
     }
 }
 
@@ -69,14 +75,14 @@ pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<
 /// A purchase in words: "wave 3", "line 435.8 nm (Hg)".
 fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) -> String {
     match purchase {
-        Purchase::Widths => "the lines' own widths".to_owned(),
-        Purchase::Order(order) => format!("wave {order}"),
+        Purchase::Widths => said!("the lines' own widths").to_owned(),
+        Purchase::Order(order) => tr!("wave {order}", order),
         Purchase::Line(spike) => {
             let index = auction.lines.iter().position(|line| line == spike);
             let name = index.and_then(|i| names.get(i)?.safe.as_deref());
             match name.and_then(|name| name.split_once(' ')) {
-                Some((element, _)) => format!("line {:.1} nm ({element})", spike.at_nm),
-                None => format!("line {:.1} nm", spike.at_nm),
+                Some((element, _)) => tr!("line {at_nm} nm ({element})", at_nm = fixed(spike.at_nm, 1), element),
+                None => tr!("line {at_nm} nm", at_nm = fixed(spike.at_nm, 1)),
             }
         }
     }
@@ -97,11 +103,11 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
         .map(|p| purchase_words(p, auction, names));
     let orders = match orders[..] {
         [] => None,
-        [order] => Some(format!("wave {order}")),
+        [order] => Some(tr!("wave {order}", order)),
         _ => {
             let first = orders.iter().min().copied().unwrap_or(0);
             let last = orders.iter().max().copied().unwrap_or(0);
-            Some(format!("waves {first}-{last}"))
+            Some(tr!("waves {first}-{last}", first, last))
         }
     };
     let words: Vec<String> = orders.into_iter().chain(lines).collect();
@@ -117,17 +123,22 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
         .map(|line| line.at_nm)
         .collect();
     places.sort_by(f64::total_cmp);
-    let words: Vec<String> = places.iter().map(|nm| format!("{nm:.1}")).collect();
-    let wide = if step.wide {
-        ", as wide as they are"
-    } else {
-        ""
-    };
-    let waves = waves_words(step.order);
-    match words.len() {
-        0 => format!("{waves} and no lines"),
-        1 => format!("{waves} and the line {} nm{wide}", words[0]),
-        _ => format!("{waves} and the lines {} nm{wide}", words.join(", ")),
+        let words: Vec<String> = places.iter().map(|nm| fixed(nm, 1)).collect();
+    let (waves, places) = (waves_words(step.order), words.join(", "));
+    match (words.len(), step.wide) {
+        (0, _) => tr!("{waves} and no lines", waves),
+        (1, false) => tr!("{waves} and the line {place} nm", waves, place = places),
+        (1, true) => tr!(
+            "{waves} and the line {place} nm, as wide as they are",
+            waves,
+            place = places
+        ),
+        (_, false) => tr!("{waves} and the lines {places} nm", waves, places),
+        (_, true) => tr!(
+            "{waves} and the lines {places} nm, as wide as they are",
+            waves,
+            places
+        ),
     }
 }
 
@@ -136,10 +147,17 @@ pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
     let (last, most) = (auction.last(), numbers(ask.terms.numbers));
     let model = model_words(auction, last);
     match auction.ended {
-        Ended::Spent => format!("{} of {most} buy {model}.", last.numbers),
-        Ended::NothingHelps => format!(
-            "{} of {most} buy {model}. The rest would lower nothing.",
-            last.numbers
+                Ended::Spent => tr!(
+            "{spent} of {most} buy {model}.",
+            spent = last.numbers,
+            most,
+            model
+        ),
+        Ended::NothingHelps => tr!(
+            "{spent} of {most} buy {model}. The rest would lower nothing.",
+            spent = last.numbers,
+            most,
+            model
         ),
     }
 }
@@ -184,29 +202,29 @@ impl AuctionChart {
         };
         let with = match auction.lines.len() {
             0 => String::new(),
-            1 => "the line first, then waves".to_owned(),
-            lines => format!("all {lines} lines first, then waves"),
+            1 => said!("the line first, then waves").to_owned(),
+            lines => tr!("all {lines} lines first, then waves", lines),
         };
         let series = vec![
             stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
-            Series::line("waves only, no lines", Ink::Smooth, bids(&auction.without))
+            Series::line(said!("waves only, no lines"), Ink::Smooth, bids(&auction.without))
                 .dashed(Dash::Dotted),
-            stroke("the auction", Ink::Measured, corners, 2.2, Dash::Solid),
-            Series::points("bought", Ink::Residual, Shape::Dot, points).with_notes(notes),
+            stroke(said!("the auction"), Ink::Measured, corners, 2.2, Dash::Solid),
+            Series::points(said!("bought"), Ink::Residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = FitVariant::new(terms.basis, false, terms.colour_exact);
         let y_label = terms.goal.plain_measure().map_or_else(
-            || "Mix of errors, each in % of its value without waves".to_owned(),
+            || said!("Mix of errors, each in % of its value without waves").to_owned(),
             |measure| measure.figure().with_unit(),
         );
         let chart = Chart {
-            title: format!(
-                "{}: the auction for {} ({})",
-                ask.about.subject.0.name(),
-                goal_words(terms.goal),
-                way.title()
+            title: tr!(
+                "{subject}: the auction for {goal} ({way})",
+                subject = ask.about.subject.0.name(),
+                goal = goal_words(terms.goal),
+                way = way.title()
             ),
-            x_label: "Numbers".to_owned(),
+            x_label: said!("Numbers").to_owned(),
             y_label,
             x_range: [0.0, terms.numbers as f64 + 1.0],
             y_scale: Scale::Log10,
@@ -250,28 +268,28 @@ impl AuctionChart {
 fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
     let mut note = Vec::new();
     if step.bought.is_empty() {
-        note.push("the mean, where the auction begins".to_owned());
+        note.push(said!("the mean, where the auction begins").to_owned());
     } else {
         let bought = purchases_words(&step.bought, auction, names);
-        note.push(format!("bought {bought}"));
+        note.push(tr!("bought {bought}", bought));
     }
     if !step.gave_back.is_empty() {
         let gave = purchases_words(&step.gave_back, auction, names);
-        note.push(format!("gave back {gave}"));
+        note.push(tr!("gave back {gave}", gave));
     }
-    note.push(format!(
-        "{}, {}{}: {}",
-        waves_words(step.order),
-        spikes_words(step.lines.len()),
-        if step.wide {
-            " as wide as they are"
-        } else {
-            ""
-        },
-        numbers(step.numbers)
-    ));
+        let (waves, lines) = (waves_words(step.order), spikes_words(step.lines.len()));
+    let numbers = numbers(step.numbers);
+    note.push(match step.wide {
+        true => tr!(
+            "{waves}, {lines} as wide as they are: {numbers}",
+            waves,
+            lines,
+            numbers
+        ),
+        false => format!("{waves}, {lines}: {numbers}"),
+    });
     note.push(all_figures(&step.verdict));
-    note.push("Click to take this model.".to_owned());
+    note.push(said!("Click to take this model.").to_owned());
     note.join("\n")
 }
 
@@ -282,10 +300,10 @@ pub fn gain_words(before: f64, now: f64) -> String {
         return "–".to_owned();
     }
     if gain >= 99.95 {
-        "> 99.9 %".to_owned()
+                format!("> {} %", fixed(99.9, 1))
     } else if gain < 0.05 {
-        "< 0.1 %".to_owned()
+        format!("< {} %", fixed(0.1, 1))
     } else {
-        format!("{gain:.1} %")
+        format!("{} %", fixed(gain, 1))
     }
 }

@@ -111,7 +111,7 @@ impl<'a> Draw<'a> {
         let last = self.orders.len().saturating_sub(1) as f64;
         Chart {
             title: title.to_owned(),
-            x_label: "Wave n".to_owned(),
+            x_label: said!("Wave n").to_owned(),
             y_label: y_label.to_owned(),
             x_range: [-0.6, last + 0.6],
             series,
@@ -153,7 +153,7 @@ impl<'a> Draw<'a> {
         let basis = self.harmonics.basis;
         match basis.lists()[..] {
             [first, second, ..] => [first.to_owned(), second.to_owned()],
-            [only, ..] => ["odd", "even"].map(|which| format!("{only}, {which}")),
+            [only, ..] => [said!("odd"), said!("even")].map(|which| format!("{only}, {which}")),
             [] => [String::new(), String::new()],
         }
     }
@@ -177,9 +177,9 @@ impl<'a> Draw<'a> {
             0 => {
                 let is_mean = basis.mean(1.0) == 1.0;
                 let what = if is_mean {
-                    "the mean"
+                    said!("the mean")
                 } else {
-                    "twice the mean"
+                    said!("twice the mean")
                 };
                 format!(
                     "{} = {}, {what}",
@@ -206,14 +206,13 @@ impl<'a> Draw<'a> {
     }
 
     fn light(&self) -> Option<Chart> {
-        let what = if self.app.document().is_about_light() {
-            "the light"
+                let title = if self.app.document().is_about_light() {
+            said!("Coefficients of the light")
         } else {
-            "the reflectance"
+            said!("Coefficients of the reflectance")
         };
         let series = self.pair(|order| order.light)?;
-        let title = format!("Coefficients of {what}");
-        Some(self.roomy(self.chart(&title, self.unit_of_mean(), series)))
+        Some(self.roomy(self.chart(title, self.unit_of_mean(), series)))
     }
 
     fn weight(&self) -> Option<Chart> {
@@ -222,16 +221,16 @@ impl<'a> Draw<'a> {
         if let Some(by_fit) = self.fitted(k) {
             series.extend(by_fit);
         }
-        let title = format!("Coefficients of {}", self.weight_name());
+        let title = tr!("Coefficients of {weight}", weight = self.weight_name());
         Some(self.roomy(self.chart(&title, self.unit_of_mean(), series)))
     }
 
     /// What the bars count, and what the two kinds of numbers are.
     fn unit_of_mean(&self) -> &'static str {
         if self.harmonics.basis == Basis::Fourier {
-            "multiples of its mean (a cosine, b sine)"
+            said!("multiples of its mean (a cosine, b sine)")
         } else {
-            "multiples of its mean"
+            said!("multiples of its mean")
         }
     }
 
@@ -242,7 +241,7 @@ impl<'a> Draw<'a> {
         if document.is_about_light() {
             function.to_owned()
         } else {
-            format!("{function} times {}", document.light.name())
+            tr!("{function} times {light}", function, light = document.light.name())
         }
     }
 
@@ -269,8 +268,8 @@ impl<'a> Draw<'a> {
         };
         let ink = Ink::Measured;
         Some([
-            Series::points("a Eq. 10", ink, Shape::Ring, points(0)?),
-            Series::points("b Eq. 10", ink, Shape::Cross, points(1)?),
+            Series::points(said!("a Eq. 10"), ink, Shape::Ring, points(0)?),
+            Series::points(said!("b Eq. 10"), ink, Shape::Cross, points(1)?),
         ])
     }
 
@@ -282,15 +281,15 @@ impl<'a> Draw<'a> {
         };
         let points = self.orders.iter().map(point).collect();
         let name = CHANNELS[k];
-        let bars = Series::bars(format!("added to {name}"), Ink::Residual, 0.72, points);
-        let title = format!("Their product: the part of {name} that each wave adds");
-        Some(self.chart(&title, &format!("% of {name}"), vec![bars]))
+        let bars = Series::bars(tr!("added to {name}", name), Ink::Residual, 0.72, points);
+        let title = tr!("Their product: the part of {name} that each wave adds", name);
+        Some(self.chart(&title, &tr!("% of {name}", name), vec![bars]))
     }
 
     fn running(&self) -> Option<Chart> {
         self.exact()?;
         let inks = channel_inks();
-        let mut series = vec![self.level("exact, 100 %", 100.0)];
+        let mut series = vec![self.level(said!("exact, 100 %"), 100.0)];
         for k in 0..3 {
             let exact = self.harmonics.exact[k];
             if exact <= 0.0 {
@@ -307,8 +306,8 @@ impl<'a> Draw<'a> {
                 CHANNEL_DASHES[k],
             ));
         }
-        let title = "Running sums towards X, Y and Z";
-        Some(self.chart(title, "% of the exact total", series))
+        let title = said!("Running sums towards X, Y and Z");
+        Some(self.chart(title, said!("% of the exact total"), series))
     }
 
     /// A level line over all orders.
@@ -331,15 +330,15 @@ impl<'a> Draw<'a> {
         let missed = |order: &Order| order.neglected[k];
         let mut series = vec![
             self.level("5 %", LIMIT_PERCENT),
-            line(&format!("missed of {name}"), Ink::Residual, &missed),
-            line("term n / term 0", Ink::Smooth, &|o| o.share_of_first[k]).dashed(Dash::Dashed),
+            line(&tr!("missed of {name}", name), Ink::Residual, &missed),
+            line(said!("term n / term 0"), Ink::Smooth, &|o| o.share_of_first[k]).dashed(Dash::Dashed),
         ];
         if self.orders.iter().any(|o| o.bound.is_some()) {
             let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
             // The printed 4/n is twice the corrected 2/n for every lobe.
             let printed = |order: &Order| order.bound.map(|b| b.channels_as_printed[k]);
-            series.push(line("bound, 2/n", Ink::Spikes, &bound));
-            series.push(line("as printed, 4/n", Ink::Product, &printed).dashed(Dash::Dotted));
+            series.push(line(said!("bound, 2/n"), Ink::Spikes, &bound));
+            series.push(line(said!("as printed, 4/n"), Ink::Product, &printed).dashed(Dash::Dotted));
         }
         let in_force = self.app.derived().model.smooth().order();
         let mark = |order: &Order| {
@@ -348,12 +347,12 @@ impl<'a> Draw<'a> {
             [order.order as f64, value.unwrap_or(f64::NAN)]
         };
         let points = self.orders.iter().map(mark).collect();
-        let now = format!("{}, in force", waves_words(in_force));
+        let now = tr!("{waves}, in force", waves = waves_words(in_force));
         series.push(Series::points(now, Ink::Measured, Shape::Ring, points).sized(6.0));
         Some(Chart {
             y_scale: Scale::Log10,
             y_range: Some(NEGLECTED_PERCENT),
-            ..self.chart(&format!("Left out of {name}, and Eq. 12"), "%", series)
+            ..self.chart(&tr!("Left out of {name}, and Eq. 12", name), "%", series)
         })
     }
 }

@@ -9,7 +9,8 @@ use crate::{
         },
         design::{colour::ColourSheet, method_name},
     },
-    color::srgb_from_wavelength,
+        color::srgb_from_wavelength,
+    languages::said,
     design::recover::{BAND, LineLight, Method, Recovered, node_nm},
     spectrum::Outside,
 };
@@ -18,7 +19,7 @@ use crate::{
 pub(super) const SLIT_NM: f64 = 5.0;
 
 /// What the surfaces are called that only show how different those of one colour can be.
-const EXAMPLES: &str = "other surfaces that match";
+const EXAMPLES: &str = later!("other surfaces that match");
 
 /// The surfaces of a colour over the reach of all that match it, and below a light of lines.
 pub fn colour_chart(sheet: &ColourSheet) -> Chart {
@@ -29,13 +30,14 @@ pub fn colour_chart(sheet: &ColourSheet) -> Chart {
             points.map(|(i, value)| [node_nm(i), *value]).collect()
         };
         for values in [&band.greatest, &band.least] {
-            let name = "reach of all surfaces that match";
+            let name = said!("reach of all surfaces that match");
             let line = Series::line(name, Ink::Residual, edge(&values[..]));
             series.push(line.dashed(Dash::Dotted));
         }
         for example in &sheet.examples {
             let points = edge(example);
-            series.push(stroke(EXAMPLES, Ink::Faint, points, 1.0, Dash::Solid));
+                                    let name = said(EXAMPLES);
+            series.push(stroke(name, Ink::Faint, points, 1.0, Dash::Solid));
         }
     }
     let of = |found: &Recovered| {
@@ -68,8 +70,8 @@ pub fn colour_chart(sheet: &ColourSheet) -> Chart {
         }
     }
     Chart {
-        title: "Surfaces that have the colour".to_owned(),
-        y_label: "Reflectance".to_owned(),
+        title: said!("Surfaces that have the colour").to_owned(),
+        y_label: said!("Reflectance").to_owned(),
         y_range: Some(ends),
         colours: strip(BAND),
         strip: true,
@@ -90,7 +92,7 @@ fn lines_panel(light: &LineLight) -> Panel {
         series.push(Series::stems("", colour, top, Vec::new()));
     }
     Panel {
-        y_label: "Light of lines, power per nm".to_owned(),
+        y_label: said!("Light of lines, power per nm").to_owned(),
         y_range: None,
         series,
     }

@@ -6,6 +6,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         combining::{Found, LineRow, Part, measurements},
     },
+        languages::with_sign,
     measurements::{Measurement, Quantity, mean_of, rounded},
     spectrum::Band,
 };
@@ -28,20 +29,20 @@ pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {
     for (index, part) in parts.iter().enumerate() {
         let is_kept = found.scans.get(index).is_none_or(|scan| scan.is_kept);
         let (name, dash) = match is_kept {
-            true => ("as read", Dash::Solid),
-            false => ("left out", Dash::Dotted),
+            true => (said!("as read"), Dash::Solid),
+            false => (said!("left out"), Dash::Dotted),
         };
         if (part.of.quantity, &part.of.unit) == (of.quantity, &of.unit) {
             chart.series.extend(thin(&part.of, name, Ink::Smooth, dash));
         }
     }
     chart.series.extend(doubted(of, "95 %", 1.0));
-    let curve = |points| Series::line("result", Ink::Measured, points);
+    let curve = |points| Series::line(said!("result"), Ink::Measured, points);
     chart.series.extend(curves().map(curve));
     let at = |line: &LineRow| Some([line.at_nm, line.weight?]);
     let points: Vec<[f64; 2]> = found.lines.iter().filter_map(at).collect();
     if !is_light && !points.is_empty() {
-        let ring = Series::points("at shared lines", Ink::Spikes, Shape::Ring, points);
+        let ring = Series::points(said!("at shared lines"), Ink::Spikes, Shape::Ring, points);
         chart.series.push(ring);
     }
     chart
@@ -59,8 +60,8 @@ pub fn readings_chart(sets: &[Vec<Part>; 2]) -> Chart {
         chart.x_range[0] = chart.x_range[0].min(nm[0]);
         chart.x_range[1] = chart.x_range[1].max(nm[nm.len() - 1]);
     }
-    for ((set, ink), name) in sets.iter().zip(inks).zip(["first set", "second set"]) {
-        let name = if sets[1].is_empty() { "as read" } else { name };
+    for ((set, ink), name) in sets.iter().zip(inks).zip([said!("first set"), said!("second set")]) {
+        let name = if sets[1].is_empty() { said!("as read") } else { name };
         let curves = set
             .iter()
             .flat_map(|part| thin(&part.of, name, ink, Dash::Solid));
@@ -76,8 +77,8 @@ pub fn readings_chart(sets: &[Vec<Part>; 2]) -> Chart {
         let points = first.samples.nm().iter().copied().zip(rest);
         let points = points.map(|(nm, value)| [nm, value]).collect();
         chart.residual = Some(Panel {
-            y_label: "second - first".to_owned(),
-            series: vec![Series::line("difference", Ink::Residual, points)],
+            y_label: said!("second - first").to_owned(),
+            series: vec![Series::line(said!("difference"), Ink::Residual, points)],
             ..Panel::default()
         });
     }
@@ -88,13 +89,13 @@ pub fn readings_chart(sets: &[Vec<Part>; 2]) -> Chart {
 fn over(of: &Measurement) -> Chart {
     let nm = of.samples.nm();
     let y_label = match (of.quantity, of.unit.as_str()) {
-        (Quantity::Counts, _) => "Counts",
-        (Quantity::Light, "") => "Relative power",
+        (Quantity::Counts, _) => said!("Counts"),
+        (Quantity::Light, "") => said!("Relative power"),
         (Quantity::Light, unit) => unit,
-        (Quantity::Absorbance, _) => "Absorbance",
-        (Quantity::Reflectance, _) => "Reflectance",
-        (Quantity::Transmittance, _) => "Transmittance",
-        (Quantity::Factor | Quantity::Number, _) => "Factor",
+        (Quantity::Absorbance, _) => said!("Absorbance"),
+        (Quantity::Reflectance, _) => said!("Reflectance"),
+        (Quantity::Transmittance, _) => said!("Transmittance"),
+        (Quantity::Factor | Quantity::Number, _) => said!("Factor"),
     };
     Chart {
         y_label: y_label.to_owned(),
@@ -128,7 +129,8 @@ pub fn doubted(of: &Measurement, name: &str, by: f64) -> Vec<Series> {
         let (nm, value) = (of.samples.nm()[last], by * values[last]);
         let ends = [1.0, -1.0].map(|sign| [nm, value * (1.0 + sign * OF_95 * of.level)]);
         let half = 100.0 * OF_95 * of.level;
-        let name = format!("level \u{b1} {} %", rounded(half, half).1);
+        let half = with_sign(rounded(half, half).1);
+        let name = tr!("level \u{b1} {half} %", half);
         series.push(Series::line(name, Ink::Faint, ends.to_vec()));
     }
     series

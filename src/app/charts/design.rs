@@ -1,5 +1,6 @@
 //! The place "Design" as charts: channels and what they reach among colours, the mixed spectrum.
 
+use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series, Shape, curve, stroke},
@@ -52,7 +53,7 @@ pub fn on_diagram(
     let mut reach = desk.reach.clone();
     reach.extend(desk.reach.first().copied());
     if reach.len() > 2 {
-        let edge = stroke("can be mixed", black, reach, 1.6, Dash::Dashed);
+        let edge = stroke(said!("can be mixed"), black, reach, 1.6, Dash::Dashed);
         chart.series.push(edge);
     }
     for (strip, channel) in desk.strips.iter().zip(&desk.mix.channels) {
@@ -70,7 +71,7 @@ pub fn on_diagram(
     if let Some(at) = target {
         chart
             .series
-            .push(point("target", black, Shape::Ring, 9.0, at));
+            .push(point(said!("target"), black, Shape::Ring, 9.0, at));
     }
     let place = |desk: &Desk| desk.figures.as_ref().and_then(|figures| figures.uv);
     if let Some((name, at)) = second.and_then(|(name, second)| Some((name, place(second)?))) {
@@ -82,9 +83,9 @@ pub fn on_diagram(
         chart.series.push(point("", black, Shape::Dot, 7.0, at));
         chart
             .series
-            .push(point("mixture", [255; 3], Shape::Dot, 5.0, at));
+            .push(point(said!("mixture"), [255; 3], Shape::Dot, 5.0, at));
     }
-    chart.title = "Colours that these channels reach".to_owned();
+    chart.title = said!("Colours that these channels reach").to_owned();
     chart
 }
 
@@ -138,13 +139,13 @@ pub fn mixed_spectrum(desk: &Desk, second: Option<(&str, &Desk)>) -> Chart {
     }
     for (top, power) in lines {
         let colour = srgb_from_wavelength(top[0]).0;
-        let label = format!("{:.1}\n{:.0} %", top[0], 100.0 * power / whole);
+        let label = format!("{}\n{:.0} %", fixed(top[0], 1), 100.0 * power / whole);
         let stem = Series::stems("", colour, vec![top], Vec::new());
         series.push(stem.labelled(vec![label]));
     }
     Chart {
-        title: "The mixture: drag its lines".to_owned(),
-        y_label: "Power per nm (lines drawn 5 nm wide)".to_owned(),
+        title: said!("The mixture: drag its lines").to_owned(),
+        y_label: said!("Power per nm (lines drawn 5 nm wide)").to_owned(),
         colours: strip(band),
         series,
         ..over(band)
@@ -178,9 +179,9 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Char
         .collect();
     let note = |(point, value): &(&FrontPoint, f64)| {
         let ler = point.figures.ler;
-        format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
+                format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
     };
-    let dots = Series::points("best found", Ink::Spikes, Shape::Dot, places.clone());
+    let dots = Series::points(said!("best found"), Ink::Spikes, Shape::Dot, places.clone());
     let mut series = vec![
         dots.with_notes(known.iter().map(note).collect()),
         Series::line("", Ink::Spikes, places.clone()),
@@ -190,7 +191,7 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Char
         .as_ref()
         .and_then(|figures| Some([figures.ler, against.of(figures)?]));
     if let Some(here) = here {
-        let ring = Series::points("the faders now", Ink::Measured, Shape::Ring, vec![here]);
+        let ring = Series::points(said!("the faders now"), Ink::Measured, Shape::Ring, vec![here]);
         series.push(ring);
     }
     let all = || places.iter().copied().chain(here);
@@ -199,17 +200,17 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Char
     let lowest = all().fold(0.0, |low: f64, at| low.min(at[1]));
     let (title, blank) = match known.is_empty() {
         true => (
-            "The front",
-            "No light of lines has this colour and a figure.",
+            said!("The front"),
+            said!("No light of lines has this colour and a figure."),
         ),
         false => (
-            "The best found with free lines: click a point to take its lines",
+            said!("The best found with free lines: click a point to take its lines"),
             "",
         ),
     };
     Chart {
         title: title.to_owned(),
-        x_label: "Efficacy (lm/W)".to_owned(),
+        x_label: said!("Efficacy (lm/W)").to_owned(),
         y_label: name.to_owned(),
         x_range: match least < most {
             true => [(least - 10.0).max(0.0), most + 10.0],

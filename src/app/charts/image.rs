@@ -24,15 +24,18 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread) -> Chart {
         let lower = bounds.iter().map(|b| b[0]).collect();
         series.push(Series::area(name, Ink::Smooth, upper, lower));
     }
-    let name = if is_region { "mean" } else { "pixel" };
+    let name = match is_region {
+        true => said!("mean"),
+        false => said!("pixel"),
+    };
     series.push(Series::line(name, Ink::Measured, mean));
     if let Some(derived) = &region.derived {
-        let line = Series::line("model", Ink::Spikes, model(derived, region));
+        let line = Series::line(said!("model"), Ink::Spikes, model(derived, region));
         series.push(line.dashed(Dash::Dashed));
     }
     let mut notes = source_of(spectrum);
     notes.extend(spectrum.notes.last().cloned());
-    notes.push(by_program("As measured."));
+    notes.push(by_program(said!("As measured.")));
     Chart {
         title: spectrum.name.clone(),
         y_label: kind_label(spectrum.kind, &spectrum.unit),
@@ -59,8 +62,8 @@ fn bounds(region: &RegionSpectrum, spread: Spread) -> (&'static str, Vec<[f64; 2
             let means = region.spectrum.samples.values().iter();
             let both = means.zip(&region.deviation);
             let bounds = both.map(|(mean, s)| [mean - s, mean + s]).collect();
-            ("± 1 standard deviation", bounds)
+            (said!("± 1 standard deviation"), bounds)
         }
-        Spread::Extremes => ("smallest to largest", region.extremes.clone()),
+        Spread::Extremes => (said!("smallest to largest"), region.extremes.clone()),
     }
 }

@@ -6,7 +6,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Series},
         ticks::{extent, short},
     },
-    spectrum::NamedSpectrum,
+    spectrum::{Kind, NamedSpectrum},
 };
 
 /// Most curves drawn.
@@ -45,25 +45,28 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
         .flat_map(|s| [s.samples.first_nm(), s.samples.last_nm()]);
     let y_label = shown.first().map_or_else(String::new, |s| {
         if kinds_differ {
-            "value".to_owned()
+                        said!("value").to_owned()
         } else if s.unit.is_empty() || s.unit == s.kind.word() {
-            s.kind.word().to_owned()
+            kind_words(s.kind).to_owned()
         } else {
-            format!("{} ({})", s.kind.word(), s.unit)
+            format!("{} ({})", kind_words(s.kind), s.unit)
         }
     });
     let title = match spectra.len() {
-        0 | 1 => format!("Curve of {file}"),
-        n if n > MOST_CURVES => format!(
-            "The first {MOST_CURVES} of {n} curves of {file} (+ {} more)",
-            n - MOST_CURVES
+        0 | 1 => tr!("Curve of {file}", file),
+                n if n > MOST_CURVES => tr!(
+            "The first {shown} of {n} curves of {file} (+ {more} more)",
+            shown = MOST_CURVES,
+            n,
+            file,
+            more = n - MOST_CURVES
         ),
-        n => format!("{n} curves of {file}"),
+        n => tr!("{n} curves of {file}", n, file),
     };
     let title = match cut {
         Some((_, share)) => {
-            let ends = [share, 1.0 - share].map(|share| short(100.0 * share));
-            format!("{title}; height: {}–{} % of values", ends[0], ends[1])
+                        let [low, high] = [share, 1.0 - share].map(|share| short(100.0 * share));
+            tr!("{title}; height: {low}–{high} % of values", title, low, high)
         }
         None => title,
     };
@@ -79,10 +82,23 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
 /// Letters of a name that are shown from its beginning and from its end: doubles differ there.
 const NAME_LETTERS: [usize; 2] = [18, 10];
 
+/// What a kind is called in a sentence.
+fn kind_words(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Light => said!("light"),
+        Kind::Reflectance => said!("reflectance"),
+        Kind::Transmittance => said!("transmittance"),
+        Kind::Absorbance => said!("absorbance"),
+        Kind::Weighting => said!("weighting"),
+        Kind::Lines => said!("lines"),
+        Kind::Other => said!("other"),
+    }
+}
+
 fn named(spectrum: &NamedSpectrum, with_kind: bool) -> String {
     let name = short_name(&spectrum.name);
     if with_kind {
-        format!("{name} ({})", spectrum.kind.word())
+                format!("{name} ({})", kind_words(spectrum.kind))
     } else {
         name
     }

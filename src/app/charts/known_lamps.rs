@@ -19,35 +19,35 @@ pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
     let unit = if top > 0.0 { top } else { 1.0 };
     let points = |values: &[f64]| curve(band.grid(), values.iter().map(|v| v / unit));
     let (floor, measured) = (vec![0.0; band.points()], points(&found.measured));
-    let mut series = vec![Series::area("measured", Ink::Measured, measured, floor).coloured()];
+    let mut series = vec![Series::area(said!("measured"), Ink::Measured, measured, floor).coloured()];
     let parts = found.parts.iter().zip((0..).map(Ink::Overlay));
     for ((title, values), ink) in parts {
         series.push(Series::line(*title, ink, points(values)).dashed(Dash::Dashed));
     }
     let smooth = points(&encoding.smooth.on_band());
-    series.push(Series::line("short series", Ink::Smooth, smooth).dashed(Dash::Dotted));
+    series.push(Series::line(said!("short series"), Ink::Smooth, smooth).dashed(Dash::Dotted));
     if !encoding.lines.is_empty() {
         let mut lines = vec![0.0; band.points()];
         add_lines(band, &encoding.lines, &mut lines);
-        let name = "lines of their own width";
+        let name = said!("lines of their own width");
         series.push(Series::line(name, Ink::Residual, points(&lines)).dashed(Dash::Dashed));
     }
     let decoded = points(&found.decoded);
-    series.push(Series::line("from the words", Ink::Model, decoded));
+    series.push(Series::line(said!("from the words"), Ink::Model, decoded));
     let off = less(&found.decoded, &found.measured);
     Chart {
-        title: format!("{name} in {} numbers", found.encoded.words.len()),
-        x_label: "Wavelength, nm".to_owned(),
-        y_label: "Of the measured peak".to_owned(),
+        title: tr!("{name} in {words} numbers", name, words = found.encoded.words.len()),
+        x_label: said!("Wavelength, nm").to_owned(),
+        y_label: said!("Of the measured peak").to_owned(),
         x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(&found.measured),
         series,
         colours: band.grid().map(|nm| Ink::Own(srgb_of_fill(nm).0)).collect(),
         residual: Some(Panel {
-            y_label: "Off by, at 1 nm".to_owned(),
+            y_label: said!("Off by, at 1 nm").to_owned(),
             y_range: None,
             series: vec![Series::line(
-                "from the words less measured",
+                said!("from the words less measured"),
                 Ink::Residual,
                 points(&off),
             )],

@@ -6,7 +6,8 @@ use crate::{
         chart::{Chart, Dash, Ink, Rgb, Series, curve, stroke},
         live_figures::SUM_MEANS,
     },
-    color::srgb_of_fill,
+        color::srgb_of_fill,
+    languages::{fixed, said},
     live::{Shown, Track, Tracks},
     measurements::{Measurement, Quantity},
     spectrum::Line,
@@ -38,14 +39,14 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
     // Alone it is what the title says.
     let name = match peak.is_none() && shown.clipped.is_empty() {
         true => "",
-        false => "newest",
+                false => said!("newest"),
     };
     let mut series = vec![match is_light {
         true => Series::area(name, Ink::Measured, points(&shown.of), Vec::new()).coloured(),
         false => Series::line(name, Ink::Measured, points(&shown.of)),
     }];
     if let Some(peak) = peak {
-        series.push(Series::line("highest so far", Ink::Second, points(peak)));
+        series.push(Series::line(said!("highest so far"), Ink::Second, points(peak)));
     }
     let clipped = shown
         .clipped
@@ -53,14 +54,14 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
         .flat_map(|at| hatched(*at, x_range, top));
     let clipped: Vec<[f64; 2]> = clipped.collect();
     if !clipped.is_empty() {
-        series.push(stroke("clipped", Ink::Spikes, clipped, 1.4, Dash::Solid));
+        series.push(stroke(said!("clipped"), Ink::Spikes, clipped, 1.4, Dash::Solid));
     }
     let steps = (x_range[1] - x_range[0]).ceil().clamp(1.0, 2000.0);
     let nm = |i: usize| x_range[0] + (x_range[1] - x_range[0]) * i as f64 / steps;
     Chart {
-        title: format!("Spectrum of {}", shown.of.name),
+                title: tr!("Spectrum of {name}", name = shown.of.name),
         y_label: match shown.of.quantity {
-            Quantity::Counts => "Counts".to_owned(),
+            Quantity::Counts => said!("Counts").to_owned(),
             Quantity::Light => value_label(&shown.of.unit),
             quantity => super::units::kind_label(quantity.kind(), &shown.of.unit),
         },
@@ -119,12 +120,12 @@ fn hatched([from, to]: [f64; 2], [first, last]: [f64; 2], top: f64) -> Vec<[f64;
 /// What tracks are called, with their meaning.
 pub fn track_words(track: Track) -> (&'static str, &'static str) {
     match track {
-        Track::Y => ("Y", SUM_MEANS),
-        Track::Cct => ("CCT", "Correlated colour temperature, K."),
-        Track::Glow => ("Glow", "Share of the power that is no line, per cent."),
+                Track::Y => ("Y", said(SUM_MEANS)),
+        Track::Cct => ("CCT", said!("Correlated colour temperature, K.")),
+        Track::Glow => (said!("Glow"), said!("Share of the power that is no line, per cent.")),
         Track::Lines => (
-            "Lines",
-            "Weights of the lines, in the unit of the values x nm.",
+            said!("Lines"),
+            said!("Weights of the lines, in the unit of the values x nm."),
         ),
     }
 }
@@ -147,27 +148,33 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
         let points = curve.iter().map(|[t, v]| [t / ms, v * factor]).collect();
         let at = lines.get(index).filter(|_| track == Track::Lines);
         match at {
-            Some(nm) => Series::line(format!("{nm:.1} nm"), Ink::Wavelength(*nm), points),
+            Some(nm) => Series::line(format!("{} nm", fixed(nm, 1)), Ink::Wavelength(*nm), points),
             None => Series::line("", Ink::Measured, points),
         }
     });
     let series: Vec<Series> = series.collect();
     let is_empty = series.iter().all(|series| series.marks.points().len() < 2);
     let mut chart = Chart {
-        title: format!("{} over time", track_words(track).0),
-        x_label: format!("Time ({unit})"),
+                title: match track {
+            Track::Y => said!("Y over time"),
+            Track::Cct => said!("CCT over time"),
+            Track::Glow => said!("Glow over time"),
+            Track::Lines => said!("Lines over time"),
+        }
+        .to_owned(),
+        x_label: tr!("Time ({unit})", unit),
         y_label: match track {
             Track::Y => "Y".to_owned(),
-            Track::Cct => "CCT (K)".to_owned(),
-            Track::Glow => "Share of the glow (%)".to_owned(),
-            Track::Lines => "Weight of the lines".to_owned(),
+                        Track::Cct => "CCT (K)".to_owned(),
+            Track::Glow => said!("Share of the glow (%)").to_owned(),
+            Track::Lines => said!("Weight of the lines").to_owned(),
         },
         x_range: [first / ms, (last / ms).max(first / ms + 1e-3)],
         series,
         blank: match (is_empty, track) {
             (false, _) => String::new(),
-            (true, Track::Lines) => "No line was found yet.".to_owned(),
-            (true, _) => "A course begins with the second spectrum of a light.".to_owned(),
+            (true, Track::Lines) => said!("No line was found yet.").to_owned(),
+            (true, _) => said!("A course begins with the second spectrum of a light.").to_owned(),
         },
         ..Chart::default()
     };

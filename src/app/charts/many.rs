@@ -12,8 +12,7 @@ use crate::{
         studies::ManyAsk,
         ticks::short,
     },
-    io::many,
-    spectrum::numbers_of_order,
+        spectrum::numbers_of_order,
     study::{FitVariant, ManyLights, Measure, SweptLight},
 };
 
@@ -57,57 +56,78 @@ impl Wanted {
         let figure = self.measure.figure();
         let limit = short(self.limit * figure.unit.factor);
         match figure.unit == Unit::DELTA_E {
-            true => format!("{} at most ΔE₀₀ {limit}", figure.title),
-            false => format!("{} at most {limit}{}", figure.title, figure.unit.tail),
+            true => tr!("{title} at most ΔE₀₀ {limit}", title = figure.title, limit),
+            false => tr!("{title} at most {limit}{tail}", title = figure.title, limit, tail = figure.unit.tail),
         }
     }
 }
 
 /// The answer in a sentence.
 pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
-    let lights = many::many(many.lights.len(), "light", "lights");
-    let waves = |order: usize| many::many(order, "wave", "waves");
-    let are = |order: usize| if order == 1 { "is" } else { "are" };
+        let lights = tr!("{n} light" | "{n} lights" % many.lights.len());
     let limit = wanted.limit_words();
     let highest = many.highest_order;
-    let enough = |(order, count): (usize, usize), lines: &str| {
-        format!(
-            "{} ({} numbers{lines}) {} enough for {count} of {lights}: {limit}.",
-            waves(order),
-            numbers_of_order(order),
-            are(order)
+    let enough = |(order, count): (usize, usize)| {
+        tr!(
+            "{n} wave ({numbers} numbers and two for each line) is enough for {count} of {lights}: \
+             {limit}."
+                | "{n} waves ({numbers} numbers and two for each line) are enough for {count} of \
+                   {lights}: {limit}."
+                % order,
+            numbers = numbers_of_order(order),
+            count,
+            lights,
+            limit
         )
     };
-    let with_lines = " and two for each line";
+    let enough_without = |(order, count): (usize, usize)| {
+        tr!(
+            "Without lines {n} wave ({numbers} numbers) is enough for {count} of {lights}: {limit}."
+                | "Without lines {n} waves ({numbers} numbers) are enough for {count} of {lights}: \
+                   {limit}."
+                % order,
+            numbers = numbers_of_order(order),
+            count,
+            lights,
+            limit
+        )
+    };
     let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
-    match ways.map(|way| way.order(many)) {
-        [Some(with), Some((order, _))] if order == with.0 => {
-            format!(
-                "{} As many waves without lines do it too.",
-                enough(with, with_lines)
-            )
+    let [first, second] = match ways.map(|way| way.order(many)) {
+        [Some(with), Some((order, _))] if order == with.0 => [
+            enough(with),
+            said!("As many waves without lines do it too.").to_owned(),
+        ],
+        [Some(with), Some((order, _))] => [
+            enough(with),
+            tr!("Without lines it takes {n} wave." | "Without lines it takes {n} waves." % order),
+        ],
+        [Some(with), None] => [
+            enough(with),
+            tr!(
+                "Without lines {n} wave is not enough." | "Without lines {n} waves are not enough."
+                    % highest
+            ),
+        ],
+        [None, Some(without)] => [
+            enough_without(without),
+            tr!(
+                "With lines {n} wave is not enough." | "With lines {n} waves are not enough."
+                    % highest
+            ),
+        ],
+        [None, None] => {
+            return tr!(
+                "{n} wave is not enough for {share} % of {lights}: {limit}."
+                    | "{n} waves are not enough for {share} % of {lights}: {limit}."
+                    % highest,
+                share = short(100.0 * wanted.share),
+                lights,
+                limit
+            );
         }
-        [Some(with), Some((order, _))] => format!(
-            "{} Without lines it takes {}.",
-            enough(with, with_lines),
-            waves(order)
-        ),
-        [Some(with), None] => format!(
-            "{} Without lines {} are not enough.",
-            enough(with, with_lines),
-            waves(highest)
-        ),
-        [None, Some(without)] => format!(
-            "Without lines {} With lines {} are not enough.",
-            enough(without, ""),
-            waves(highest)
-        ),
-        [None, None] => format!(
-            "{} are not enough for {} % of {lights}: {limit}.",
-            waves(highest),
-            short(100.0 * wanted.share)
-        ),
-    }
+    };
+    format!("{first} {second}")
 }
 
 /// At least twice so many waves are drawn.
@@ -123,11 +143,11 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
     let shown = enough.map_or(last, |order| (2 * order.max(LEAST_ENOUGH)) as f64);
     let wish = 100.0 * wanted.share;
     let mut series = vec![
-        Series::line("target", Ink::Measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
+        Series::line(said!("target"), Ink::Measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
     ];
     for (spikes, name, ink, dash) in [
-        (false, "without lines", Ink::Smooth, Dash::Dashed),
-        (true, "with lines", Ink::Spikes, Dash::Solid),
+        (false, said!("without lines"), Ink::Smooth, Dash::Dashed),
+        (true, said!("with lines"), Ink::Spikes, Dash::Solid),
     ] {
         let wanted = wanted.with_spikes(spikes);
         let counts = many.counts(wanted.way, wanted.measure, wanted.limit);
@@ -140,9 +160,9 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
         }
     }
     Chart {
-        title: "Lights for which so many waves are enough".to_owned(),
-        x_label: "Waves (N waves take 2N + 1 numbers)".to_owned(),
-        y_label: "Of the lights, %".to_owned(),
+        title: said!("Lights for which so many waves are enough").to_owned(),
+        x_label: said!("Waves (N waves take 2N + 1 numbers)").to_owned(),
+        y_label: said!("Of the lights, %").to_owned(),
         x_range: [0.0, shown.min(last)],
         y_range: Some([0.0, 100.0]),
         series,
@@ -179,13 +199,13 @@ pub fn rows<'a>(many: &'a ManyLights, wanted: Wanted, order: usize) -> Vec<ManyR
 
 /// The lights as a table, with what was asked.
 pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Table {
-    let comments = format!(
+        let comments = format!(
         "# question: {}\n# way: {}\n# answer: {}\n# range: {}-{} nm\n",
         wanted.limit_words(),
         wanted.way.word(),
         sentence(many, wanted),
         ask.0.band.min_nm(),
-        ask.0.band.max_nm()
+        ask.0.band.max_nm(),
     );
     let order = app.document().settings.order;
     let measure = wanted.measure.figure();
@@ -196,21 +216,21 @@ pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Tab
     };
     let columns = Columns::<ManyRow<'_>>::default()
         .with("light", |row| cell(row.light.name.as_str()))
-        .titled(
-            "light",
-            "Sorted by need: the light that needs most comes first.",
+                .titled(
+            said!("light"),
+            said!("Sorted by need: the light that needs most comes first."),
         )
         .with("class", |row| cell(row.light.class.as_str()))
         .and(enough("order", 0))
-        .figures("waves", "From it on every count of waves is good enough.")
+                .figures(said!("waves"), said!("From it on every count of waves is good enough."))
         .and(enough("lines", 1))
-        .figures("lines", "Lines that are kept, two numbers each.")
+                .figures(said!("lines"), said!("Lines that are kept, two numbers each."))
         .and(enough("numbers", 2))
-        .figures("numbers", "2N + 1, and two for each line.")
-        .with(format!("{}_at_order_{order}", measure.key), |row| {
+                .figures(said!("numbers"), said!("2N + 1, and two for each line."))
+                .with(format!("{}_at_order_{order}", measure.key), |row| {
             cell(row.now).shown(measure.in_column(row.now))
         })
-        .figures(format!("with {order}"), measure.meaning);
+        .figures(tr!("with {order}", order), measure.meaning);
     Table::new(comments, columns, rows(many, wanted, order))
 }
 

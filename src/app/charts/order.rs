@@ -1,6 +1,6 @@
 //! The error against the order, as a chart of all errors and of one.
 
-use super::spectrum::provenance;
+use super::spectrum::{basis_words, provenance};
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Marks, Scale, Series, Shape, stroke},
@@ -10,8 +10,7 @@ use crate::{
         ticks::extent,
         verdicts::{HARD_TO_SEE, Seen},
     },
-    io::many::many,
-    study::Measure,
+        study::Measure,
 };
 
 /// An error at every order: CIEDE2000, or percent.
@@ -36,14 +35,15 @@ pub fn curve_chart(app: &App) -> Chart {
         Series::line(name, ink, errors(app, *measure))
     });
     Chart {
-        title: format!(
-            "{}: error against waves ({}, {})",
-            document.subject_entry().name(),
-            derived.model.smooth().basis.word(),
-            many(derived.model.lines().len(), "line", "lines")
+        title: tr!(
+            "{subject}: error against waves ({basis}, {n} line)"
+                | "{subject}: error against waves ({basis}, {n} lines)"
+                % derived.model.lines().len(),
+            subject = document.subject_entry().name(),
+            basis = basis_words(derived.model.smooth().basis)
         ),
-        x_label: "Waves".to_owned(),
-        y_label: "Error (CIEDE2000, or percent)".to_owned(),
+        x_label: said!("Waves").to_owned(),
+        y_label: said!("Error (CIEDE2000, or percent)").to_owned(),
         x_range: [
             0.0,
             derived.curve.last().map_or(1.0, |p| p.order.max(1) as f64),
@@ -95,7 +95,7 @@ pub fn order_chart(app: &App, measure: Measure) -> Option<Chart> {
     series.push(dots(Ink::Smooth, 1.8, points));
     series.push(dots(Ink::Spikes, 4.5, now));
     Some(Chart {
-        x_label: "Waves".to_owned(),
+        x_label: said!("Waves").to_owned(),
         x_range,
         y_range: Some(y_range),
         y_scale: Scale::Log10,

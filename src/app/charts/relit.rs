@@ -1,5 +1,6 @@
 //! The charts of a picture in few numbers: error against numbers, and one pixel's spectrum.
 
+use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
@@ -54,11 +55,11 @@ pub fn error_chart(looked: &Looked, now: usize) -> Chart {
     series.push(Series::points("", Ink::Spikes, Shape::Dot, marked).sized(5.0));
     Chart {
         title: if is_of_colour {
-            "ΔE₀₀ of 95 % of the pixels, six lights".to_owned()
+            said!("ΔE₀₀ of 95 % of the pixels, six lights").to_owned()
         } else {
-            "Spectra: relative rms, %".to_owned()
+            said!("Spectra: relative rms, %").to_owned()
         },
-        x_label: "Numbers a pixel".to_owned(),
+        x_label: said!("Numbers a pixel").to_owned(),
         x_range: [least as f64 - 1.0, most as f64 + 1.0],
         y_scale: Scale::Log10,
         series,
@@ -69,18 +70,21 @@ pub fn error_chart(looked: &Looked, now: usize) -> Chart {
 /// The ways that were tried: what the series multiplies, whether there are lines beside it, its
 /// name and colour.
 fn ways(looked: &Looked) -> [(ReferenceKind, bool, String, Ink); 5] {
-    let light = looked.known.as_ref().map_or("light", |light| light.name());
-    let by_light = format!("series × {light}");
-    let by_mean = "series × mean";
+    let light = looked
+        .known
+        .as_ref()
+        .map_or(said!("light"), |light| light.name());
+    let by_light = tr!("series × {light}", light);
+    let by_mean = said!("series × mean");
     [
-        (ReferenceKind::One, false, "series", Ink::Smooth),
-        (ReferenceKind::One, true, "series, lines", Ink::Residual),
+        (ReferenceKind::One, false, said!("series"), Ink::Smooth),
+        (ReferenceKind::One, true, said!("series, lines"), Ink::Residual),
         (ReferenceKind::Light, false, &by_light, Ink::Smooth),
         (ReferenceKind::Mean, false, by_mean, Ink::Product),
         (
             ReferenceKind::Mean,
             true,
-            "series × mean, lines",
+            said!("series × mean, lines"),
             Ink::Spikes,
         ),
     ]
@@ -112,23 +116,23 @@ pub fn difference_chart(turned: &Turned) -> Chart {
         let boxes = Series::bars("", Ink::Smooth, 0.9 * width, points.collect());
         series.push(boxes);
         for (name, at, ink, dash) in [
-            ("mean", spread.mean, Ink::Measured, Dash::Solid),
+                        (said!("mean"), spread.mean, Ink::Measured, Dash::Solid),
             ("95 %", spread.p95, Ink::Spikes, Dash::Dashed),
-            ("most", spread.max, Ink::Product, Dash::Dotted),
+                        (said!("most"), spread.max, Ink::Product, Dash::Dotted),
         ] {
             let line = vec![[at, 0.5], [at, 2.0 * highest]];
-            series.push(Series::line(format!("{name} {at:.2}"), ink, line).dashed(dash));
+            series.push(Series::line(format!("{name} {}", fixed(at, 2)), ink, line).dashed(dash));
         }
     }
     Chart {
-        title: format!("Pixels by their difference under {}", turned.light),
+        title: tr!("Pixels by their difference under {light}", light = turned.light),
         x_label: "ΔE₀₀".to_owned(),
         x_range: [0.0, 1.04 * most],
-        y_label: "Pixels".to_owned(),
+        y_label: said!("Pixels").to_owned(),
         y_range: Some([0.5, 2.0 * highest]),
         y_scale: Scale::Log10,
         blank: if is_none {
-            "no pixel is off by 0.001".to_owned()
+            said!("no pixel is off by 0.001").to_owned()
         } else {
             String::new()
         },
@@ -150,19 +154,23 @@ pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2]) -> Chart {
     };
     let step = fit.looked.0.step;
     let mut series = vec![
-        Series::line("every band", Ink::Measured, points(&exact)),
-        Series::line("few numbers", Ink::Spikes, points(&few)).dashed(Dash::Dashed),
+        Series::line(said!("every band"), Ink::Measured, points(&exact)),
+        Series::line(said!("few numbers"), Ink::Spikes, points(&few)).dashed(Dash::Dashed),
     ];
     let stems = stems(fit, &exact, &few);
     if !stems.is_empty() {
         let (base, points) = stems.into_iter().unzip();
-        series.push(Series::stems("lines", Ink::Spikes, points, base));
+        series.push(Series::stems(said!("lines"), Ink::Spikes, points, base));
     }
     Chart {
-        title: format!("Pixel in column {}, row {}", x * step, y * step),
+        title: tr!(
+            "Pixel in column {column}, row {row}",
+            column = x * step,
+            row = y * step
+        ),
         y_label: kind_label(bands.kind(), ""),
         blank: if series[0].marks.points().is_empty() {
-            "not measured".to_owned()
+            said!("not measured").to_owned()
         } else {
             String::new()
         },

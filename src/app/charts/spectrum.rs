@@ -1,5 +1,6 @@
 //! The spectrum plot: the window draws it and files hold it.
 
+use crate::languages::{fixed, said};
 use super::{combined::doubted, units::subject_label};
 use crate::{
     app::{
@@ -13,9 +14,17 @@ use crate::{
         ticks::short,
     },
     color::srgb_of_fill,
-    io::many::{many, numbers},
-    spectrum::{Band, Line, NamedSpectrum, Sampled},
+        io::many::numbers,
+    spectrum::{Band, Basis, Line, NamedSpectrum, Sampled},
 };
+
+/// A basis within a title.
+pub(super) fn basis_words(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Fourier => said!("fourier"),
+        Basis::Cosine => said!("cosine"),
+    }
+}
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
 const MOST_TAGGED: usize = 6;
@@ -24,7 +33,7 @@ const MOST_TAGGED: usize = 6;
 const LOG_FLOOR: f64 = 1e-5;
 
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
-pub const SPIKES: &str = "lines";
+pub const SPIKES: &str = later!("lines");
 
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {
@@ -34,12 +43,14 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let has_subject = app.is_measured_in_range();
     let (name, model) = (subject.name(), &derived.model);
     let title = match view.model {
-        true => format!(
-            "{name}: {} ({} order {}, {})",
-            numbers(derived.numbers()),
-            model.smooth().basis.word(),
-            model.smooth().order(),
-            many(model.lines().len(), "line", "lines"),
+                true => tr!(
+            "{name}: {numbers} ({basis} order {order}, {n} line)"
+                | "{name}: {numbers} ({basis} order {order}, {n} lines)"
+                % model.lines().len(),
+            name,
+            numbers = numbers(derived.numbers()),
+            basis = basis_words(model.smooth().basis),
+            order = model.smooth().order()
         ),
         false => name.to_owned(),
     };
@@ -122,16 +133,16 @@ fn spectrum_series(app: &App) -> Vec<Series> {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
         if view.strip && !is_counts(document.subject_entry()) {
-            let area = Series::area("measured", Ink::Measured, points, Vec::new());
+            let area = Series::area(said!("measured"), Ink::Measured, points, Vec::new());
             series.push(area.coloured());
             if document.is_about_light() {
                 series.extend(line_bars(app));
             }
         } else {
-            series.push(Series::line("measured", Ink::Measured, points));
+            series.push(Series::line(said!("measured"), Ink::Measured, points));
         }
         if let Some(of) = document.subject_entry().measured.as_deref() {
-            series.extend(doubted(of, "95 % of the measured", app.scale_factor()));
+            series.extend(doubted(of, said!("95 % of the measured"), app.scale_factor()));
         }
     }
     // Over the fill, which would hide them where they are lower.
@@ -139,9 +150,9 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
-        let name = format!("off {}", product.name);
+        let name = tr!("off {product}", product = product.name);
         series.push(Series::line(&name, Ink::Product, exact));
-        let name = format!("{name}, by the model");
+        let name = tr!("{name}, by the model", name);
         series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));
         let (spikes, smooth) = (&product.spikes, &product.smooth);
         series.push(stems(app, (&name, Ink::Product), spikes, smooth));
@@ -151,16 +162,16 @@ fn spectrum_series(app: &App) -> Vec<Series> {
         let points = curve(app, &derived.outline());
         let edge = Ink::Ground;
         series.push(stroke("", edge, points.clone(), 4.0, Dash::Solid));
-        series.push(stroke("model", Ink::Model, points, 2.0, Dash::Solid));
+        series.push(stroke(said!("model"), Ink::Model, points, 2.0, Dash::Solid));
     }
     if view.smooth {
         let line = curve(app, &derived.smooth);
-        series.push(stroke("smooth part", Ink::Smooth, line, 2.34, Dash::Solid));
+        series.push(stroke(said!("smooth part"), Ink::Smooth, line, 2.34, Dash::Solid));
     }
     if view.spikes {
         series.extend(bells(app));
         let spikes = derived.model.lines();
-        let stems = stems(app, (SPIKES, Ink::Spikes), spikes, &derived.smooth);
+        let stems = stems(app, (said(SPIKES), Ink::Spikes), spikes, &derived.smooth);
         series.push(stems.labelled(labels(app, spikes)));
     }
     series
@@ -217,11 +228,13 @@ fn labels(app: &App, spikes: &[Line]) -> Vec<String> {
             Some(name) => name.clone(),
             // Dark lines stand close: their numbers would lie over the curve.
             None if spike.weight < 0.0 => return String::new(),
-            None => format!("{:.1}", spike.at_nm),
+                        None => fixed(spike.at_nm, 1),
         };
         match share(spike) {
-            Some(share) if share.abs() >= largest => format!("{name}\n{share:.1} % of the power"),
-            Some(share) => format!("{name}\n{share:.1} %"),
+            Some(share) if share.abs() >= largest => {
+                tr!("{name}\n{share} % of the power", name, share = fixed(share, 1))
+            }
+            Some(share) => format!("{name}\n{} %", fixed(share, 1)),
             None => name,
         }
     };
@@ -301,7 +314,7 @@ fn bells(app: &App) -> Option<Series> {
     derived.model.has_widths().then(|| {
         let points = curve(app, &derived.outline());
         let base = curve(app, &derived.smooth).iter().map(|p| p[1]).collect();
-        Series::area("lines as wide as they are", Ink::Spikes, points, base)
+        Series::area(said!("lines as wide as they are"), Ink::Spikes, points, base)
     })
 }
 
@@ -320,9 +333,9 @@ fn residual(app: &App) -> Panel {
     // Lines are as wide as they are measured: ideal ones would dwarf all that is left over.
     let points = curve(app, &app.derived().widened_residual());
     let mut panel = Panel {
-        y_label: "model − measured".to_owned(),
+        y_label: said!("model − measured").to_owned(),
         y_range: None,
-        series: vec![Series::line("residual", Ink::Residual, points)],
+        series: vec![Series::line(said!("residual"), Ink::Residual, points)],
     };
     // Rounding is not worth an axis of its own.
     let least = 1e-6 * app.top();
@@ -335,12 +348,12 @@ fn residual(app: &App) -> Panel {
 fn nothing_here(app: &App) -> String {
     let band = app.derived().band;
     let samples = &app.document().subject_entry().spectrum.samples;
-    format!(
-        "Nothing was measured from {} to {} nm. The table covers {} to {} nm.",
-        band.min_nm(),
-        band.max_nm(),
-        short(samples.first_nm()),
-        short(samples.last_nm()),
+        tr!(
+        "Nothing was measured from {from} to {to} nm. The table covers {first} to {last} nm.",
+        from = short(band.min_nm()),
+        to = short(band.max_nm()),
+        first = short(samples.first_nm()),
+        last = short(samples.last_nm())
     )
 }
 
@@ -348,7 +361,7 @@ fn nothing_here(app: &App) -> String {
 pub fn provenance(app: &App) -> Vec<String> {
     let document = app.document();
     let mut notes = source_of(&document.subject_entry().spectrum);
-    notes.push(by_program(&format!("Scale: {}.", document.scale.words())));
+    notes.push(by_program(&tr!("Scale: {scale}.", scale = document.scale.words())));
     notes
 }
 
@@ -361,7 +374,7 @@ pub(in crate::app) fn before_provenance(mut notes: Vec<String>, app: &App) -> Ve
 /// The same under the name of the subject.
 pub(super) fn of_subject(app: &App) -> Vec<String> {
     let name = app.document().subject_entry().name();
-    before_provenance(vec![format!("Spectrum: {name}")], app)
+    before_provenance(vec![tr!("Spectrum: {name}", name)], app)
 }
 
 /// The same as comments of a table, under comments of its own.
@@ -377,14 +390,14 @@ pub(super) fn source_of(spectrum: &NamedSpectrum) -> Vec<String> {
     let source = &spectrum.source;
     let is_said = !source.is_empty();
     is_said
-        .then(|| format!("Source: {source}"))
+        .then(|| tr!("Source: {source}", source))
         .into_iter()
         .collect()
 }
 
 /// A sentence, and what program says so.
 pub(super) fn by_program(sentence: &str) -> String {
-    format!(
+        format!(
         "{sentence} Spectral Explorer {}.",
         env!("CARGO_PKG_VERSION")
     )

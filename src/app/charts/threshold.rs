@@ -26,11 +26,11 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
         .map(|i| {
             let (row, order) = (i / columns, i % columns);
             let spikes = map.spikes[row];
-            format!(
-                "{} at this threshold: {}\n{}\nClick to take this model.",
-                spikes_words(spikes),
-                numbers(2 * order + 1 + 2 * spikes),
-                all_figures(&map.verdicts[i])
+                        tr!(
+                "{lines} at this threshold: {numbers}\n{figures}\nClick to take this model.",
+                lines = spikes_words(spikes),
+                numbers = numbers(2 * order + 1 + 2 * spikes),
+                figures = all_figures(&map.verdicts[i])
             )
         })
         .collect();
@@ -44,14 +44,14 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
     };
     let way = FitVariant::new(ask.basis, false, ask.colour_exact);
     Chart {
-        title: format!(
-            "{}: {} by waves and lines ({})",
-            ask.about.subject.0.name(),
-            measure.figure().title,
-            way.title()
+        title: tr!(
+            "{subject}: {figure} by waves and lines ({way})",
+            subject = ask.about.subject.0.name(),
+            figure = measure.figure().title,
+            way = way.title()
         ),
-        x_label: "Waves".to_owned(),
-        y_label: "Lines above, % of the power".to_owned(),
+        x_label: said!("Waves").to_owned(),
+        y_label: said!("Lines above, % of the power").to_owned(),
         x_range: [-0.5, columns as f64 - 0.5],
         y_range: Some([
             cells.y_edges.first().copied().unwrap_or(0.1),
@@ -91,7 +91,7 @@ pub fn mark_threshold(chart: &mut Chart, app: &App) {
     if inside {
         // White or black would vanish at one end of the colours: a ring of each.
         let ring = |ink, radius| Series::points("", ink, Shape::Ring, vec![at]).sized(radius);
-        let note = format!("The model now: {}", words_now(app));
+        let note = tr!("The model now: {model}", model = words_now(app));
         chart.series.push(ring([20; 3], 7.4));
         chart
             .series

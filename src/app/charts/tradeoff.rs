@@ -8,9 +8,10 @@ use crate::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         pages::WaysShown,
         settings::Detector,
-        studies::{About, SweepAsk},
+                studies::{About, SweepAsk},
+        ticks::short,
     },
-    io::many::{many, numbers},
+        io::many::numbers,
     spectrum::{Basis, SpikeEdits},
     study::{
         Examined, FitVariant, Measure, Reference, Sweep, SweepPoint, Verdict,
@@ -43,22 +44,22 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
         return None;
     }
     if derived.colour.delta_e_2000.is_none() {
-        return Some("There is no visible light in this range, so there is no colour.");
+        return Some(said!("There is no visible light in this range, so there is no colour."));
     }
     match measure {
         Measure::Patches | Measure::PatchesWorst if !is_light => {
-            Some("A reflectance lights no surfaces: choose the light as the model's subject.")
+            Some(said!("A reflectance lights no surfaces: choose the light as the model's subject."))
         }
         Measure::Filters if !is_light => {
-            Some("Narrow filters are put before a light: choose the light as the model's subject.")
+            Some(said!("Narrow filters are put before a light: choose the light as the model's subject."))
         }
         Measure::Patches | Measure::PatchesWorst
             if derived.patches.as_ref().is_none_or(|p| p.items.is_empty()) =>
         {
-            Some("There are no surfaces to see.")
+            Some(said!("There are no surfaces to see."))
         }
         Measure::Filters if !filter_centres().any(|nm| derived.band.contains(nm)) => {
-            Some("No filter's centre (420 to 670 nm) lies in this range.")
+            Some(said!("No filter's centre (420 to 670 nm) lies in this range."))
         }
         _ => None,
     }
@@ -94,12 +95,12 @@ pub fn verdict_now(app: &App, reference: &Reference) -> Option<Verdict> {
 pub fn origin(about: &About) -> Vec<String> {
     let spectrum = &about.subject.0.spectrum;
     let mut notes = source_of(spectrum);
-    notes.push(by_program(&format!(
-        "{}-{} nm, {}, surfaces {}.",
-        about.band.min_nm(),
-        about.band.max_nm(),
-        about.observer.title(),
-        about.patches.set
+        notes.push(by_program(&tr!(
+        "{from}-{to} nm, {observer}, surfaces {set}.",
+        from = short(about.band.min_nm()),
+        to = short(about.band.max_nm()),
+        observer = about.observer.title(),
+        set = about.patches.set
     )));
     notes
 }
@@ -124,7 +125,13 @@ impl WaysShown {
 
 /// A way in few letters, for legends and tables.
 pub fn way_name(way: FitVariant) -> String {
-    way.title().replace("colour-exact", "exact")
+        let basis = way.basis.title();
+    match (way.colour_exact, way.spikes) {
+        (false, false) => basis,
+        (false, true) => tr!("{basis} + lines", basis),
+        (true, false) => tr!("{basis}, exact", basis),
+        (true, true) => tr!("{basis}, exact + lines", basis),
+    }
 }
 
 /// Colours and points of each basis, in the order of [`Basis::ALL`]: plain and colour-exact.
@@ -218,12 +225,12 @@ impl Tradeoff {
             .unzip();
         let most = sweep.points.iter().map(|p| p.numbers).max().unwrap_or(1);
         let chart = Chart {
-            title: format!(
-                "{}: {} against numbers",
-                ask.about.subject.0.name(),
-                measure.figure().title
+            title: tr!(
+                "{subject}: {figure} against numbers",
+                subject = ask.about.subject.0.name(),
+                figure = measure.figure().title
             ),
-            x_label: "Numbers: 2N + 1 for N waves, two for each line".to_owned(),
+            x_label: said!("Numbers: 2N + 1 for N waves, two for each line").to_owned(),
             y_label: measure.figure().with_unit(),
             x_range: [1.0, (most as f64 * 1.05).max(2.0)],
             x_scale: Scale::Log10,
@@ -261,7 +268,7 @@ impl Tradeoff {
 pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict) -> Series {
     let note = format!("{}\n{}", words_now(app), all_figures(verdict));
     let ink = Ink::Overlay(1);
-    let mark = Series::points("the model now", ink, Shape::Cross, vec![at]);
+    let mark = Series::points(said!("the model now"), ink, Shape::Cross, vec![at]);
     mark.sized(8.0).with_notes(vec![note])
 }
 
@@ -286,30 +293,30 @@ fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
 
 /// "1 wave", "4 waves".
 pub fn waves_words(order: usize) -> String {
-    many(order, "wave", "waves")
+        tr!("{n} wave" | "{n} waves" % order)
 }
 
 /// "no lines", "1 line", "4 lines".
 pub fn spikes_words(count: usize) -> String {
     match count {
-        0 => "no lines".to_owned(),
-        _ => many(count, "line", "lines"),
+        0 => said!("no lines").to_owned(),
+                _ => tr!("{n} line" | "{n} lines" % count),
     }
 }
 
 fn note(point: &SweepPoint) -> String {
-    format!(
-        "{}, {}: {}\n{}\nClick to take this model.",
-        waves_words(point.order),
-        spikes_words(point.spikes),
-        numbers(point.numbers),
-        all_figures(&point.verdict)
+        tr!(
+        "{waves}, {lines}: {numbers}\n{figures}\nClick to take this model.",
+        waves = waves_words(point.order),
+        lines = spikes_words(point.spikes),
+        numbers = numbers(point.numbers),
+        figures = all_figures(&point.verdict)
     )
 }
 
 /// The front: a bold staircase under everything, and rings over it.
 fn front_series(sweep: &Sweep, measure: Measure, front: &[usize]) -> (Series, Series) {
-    const NAME: &str = "lowest error";
+        let name = said!("lowest error");
     let ink = Ink::Measured;
     let points: Vec<[f64; 2]> = front
         .iter()
@@ -319,9 +326,9 @@ fn front_series(sweep: &Sweep, measure: Measure, front: &[usize]) -> (Series, Se
         let point = &sweep.points[*i];
         format!("{}\n{}", point.way.title(), note(point))
     });
-    let rings = Series::points(NAME, ink, Shape::Ring, points.clone()).sized(4.0);
+    let rings = Series::points(name, ink, Shape::Ring, points.clone()).sized(4.0);
     (
-        stroke(NAME, ink, stairs(&points), 3.4, Dash::Solid),
+        stroke(name, ink, stairs(&points), 3.4, Dash::Solid),
         rings.with_notes(notes.collect()),
     )
 }
@@ -381,31 +388,45 @@ pub fn needs(
 ) -> [String; 2] {
     let of = measure.figure().goal;
     let goal = |limit: f64| match measure.is_colour() {
-        true => format!("ΔE₀₀ {limit}"),
-        false => format!("{limit} %"),
+                true => format!("ΔE₀₀ {}", short(limit)),
+        false => format!("{} %", short(limit)),
     };
     let name = ask.about.subject.0.name();
     let [large, small] = limits.map(goal);
     let found = limits.map(|limit| enough(sweep, front, measure, limit));
-    let needs = |point: &SweepPoint| {
-        let numbers = numbers(point.numbers);
-        format!("{name} needs {numbers} to stay under {large} {of}")
-    };
-    let sentence = match found {
-        [None, _] => format!(
-            "No model shown here, up to {}, stays under {large} {of}.",
-            waves_words(sweep.map.highest_order)
+        let sentence = match found {
+        [None, _] => tr!(
+            "No model shown here, up to {waves}, stays under {large} {of}.",
+            waves = waves_words(sweep.map.highest_order),
+            large,
+            of
         ),
-        [Some(first), None] => {
-            format!("{}; no model shown here stays under {small}.", needs(first))
-        }
-        [Some(first), Some(second)] if first.numbers == second.numbers => {
-            format!("{}, and stays under {small} with them, too.", needs(first))
-        }
-        [Some(first), Some(second)] => format!(
-            "{}, and {} to stay under {small}.",
-            needs(first),
-            second.numbers
+        [Some(first), None] => tr!(
+            "{name} needs {numbers} to stay under {large} {of}; no model shown here stays under \
+             {small}.",
+            name,
+            numbers = numbers(first.numbers),
+            large,
+            of,
+            small
+        ),
+        [Some(first), Some(second)] if first.numbers == second.numbers => tr!(
+            "{name} needs {numbers} to stay under {large} {of}, and stays under {small} with them, \
+             too.",
+            name,
+            numbers = numbers(first.numbers),
+            large,
+            of,
+            small
+        ),
+        [Some(first), Some(second)] => tr!(
+            "{name} needs {numbers} to stay under {large} {of}, and {more} to stay under {small}.",
+            name,
+            numbers = numbers(first.numbers),
+            large,
+            of,
+            more = second.numbers,
+            small
         ),
     };
     let models = found.into_iter().flatten();
@@ -419,14 +440,9 @@ pub fn needs(
 /// A model within a sentence: "cosine, colour-exact, 4 waves, 3 lines".
 fn way_words(point: &SweepPoint) -> String {
     let basis = point.way.basis.name();
-    let fit = if point.way.colour_exact {
-        ", colour-exact"
-    } else {
-        ""
-    };
-    format!(
-        "{basis}{fit}, {}, {}",
-        waves_words(point.order),
-        spikes_words(point.spikes)
-    )
+        let (waves, lines) = (waves_words(point.order), spikes_words(point.spikes));
+    match point.way.colour_exact {
+        true => tr!("{basis}, colour-exact, {waves}, {lines}", basis, waves, lines),
+        false => format!("{basis}, {waves}, {lines}"),
+    }
 }

@@ -1,6 +1,7 @@
 //! The page "Truth" as charts: what a claim looks like on the spectrum at hand.
 
 use super::coefficients::{CHANNEL_DASHES, FUNCTIONS, NEGLECTED_PERCENT, channel_inks};
+use crate::languages::with_sign;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
@@ -47,15 +48,15 @@ pub fn neglected_chart(app: &App, claims: &Claims) -> Option<Chart> {
     let stated = STATED_ORDER.figure;
     let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
     series.push(thin(
-        "paper: N = 5",
+        said!("paper: N = 5"),
         Ink::Product,
         foot_to_top,
         Dash::Dotted,
     ));
     Some(Chart {
-        title: "Left out beyond N".to_owned(),
-        x_label: "Waves".to_owned(),
-        y_label: "% of the exact total".to_owned(),
+        title: said!("Left out beyond N").to_owned(),
+        x_label: said!("Waves").to_owned(),
+        y_label: said!("% of the exact total").to_owned(),
         x_range: [0.0, (orders.len() - 1) as f64],
         y_range: Some(NEGLECTED_PERCENT),
         y_scale: Scale::Log10,
@@ -100,7 +101,7 @@ pub fn samples_chart(app: &App, claims: &Claims) -> Option<Chart> {
             shape,
             apart(&points),
         ));
-        series.push(thin("the composite", ink, level, Dash::Dashed));
+        series.push(thin(said!("the composite"), ink, level, Dash::Dashed));
         levels.push(own);
     };
     pair(Measure::Own, Ink::Smooth, Shape::Dot);
@@ -111,9 +112,9 @@ pub fn samples_chart(app: &App, claims: &Claims) -> Option<Chart> {
     let highest = heights.map(|p| p[1]).fold(0.0, f64::max);
     Some(Chart {
         y_range: (lowest < highest).then_some([lowest / 5.0, 2.0 * highest]),
-        title: format!("Samples against {}", numbers(found.numbers())),
-        x_label: "Samples, joined by straight lines".to_owned(),
-        y_label: "ΔE₀₀, or %".to_owned(),
+        title: tr!("Samples against {numbers}", numbers = numbers(found.numbers())),
+        x_label: said!("Samples, joined by straight lines").to_owned(),
+        y_label: said!("ΔE₀₀, or %").to_owned(),
         x_range: [first, last.max(first + 1.0)],
         x_scale: Scale::Log10,
         y_scale: Scale::Log10,
@@ -145,17 +146,20 @@ pub fn table_2_chart(app: &App, claims: &Claims) -> Option<Chart> {
         let fit = grid()
             .map(|nm| [nm, gaussian_cmf::fitted_at(nm)[k]])
             .collect();
-        series.push(thin("fit", Ink::Measured, fit, Dash::Dashed));
+        series.push(thin(said!("fit"), Ink::Measured, fit, Dash::Dashed));
     }
     let worst = claims.table_2.worst.map(|d| [d.at_nm, d.fit]).to_vec();
-    let words = claims.table_2.worst.map(|d| format!("{:+.3}", d.off()));
+    let words = claims
+        .table_2
+        .worst
+        .map(|d| with_sign(format!("{:+.3}", d.off())));
     series.push(
-        Series::points("largest deviation", Ink::Product, Shape::Ring, worst)
+        Series::points(said!("largest deviation"), Ink::Product, Shape::Ring, worst)
             .with_notes(words.to_vec()),
     );
     Some(Chart {
-        title: "Colour-matching functions and Table 2".to_owned(),
-        y_label: "value".to_owned(),
+        title: said!("Colour-matching functions and Table 2").to_owned(),
+        y_label: said!("value").to_owned(),
         series,
         notes: of_subject(app),
         ..Chart::over_nm([low, high])

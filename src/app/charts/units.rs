@@ -6,7 +6,7 @@ use crate::{app::state::App, spectrum::Kind};
 pub(super) fn value_label(unit: &str) -> String {
     match unit {
         // What else a file says of it belongs to its source.
-        unit if unit.starts_with("relative") => "Relative power per nm".to_owned(),
+        unit if unit.starts_with("relative") => said!("Relative power per nm").to_owned(),
         unit => unit_or_value(&as_fraction(unit)),
     }
 }
@@ -47,8 +47,8 @@ pub(super) fn subject_label(app: &App) -> String {
 /// What values of a kind in a unit are called on an axis.
 pub(super) fn kind_label(kind: Kind, unit: &str) -> String {
     match kind {
-        Kind::Reflectance => "Reflectance".to_owned(),
-        Kind::Transmittance => "Transmittance".to_owned(),
+        Kind::Reflectance => said!("Reflectance").to_owned(),
+        Kind::Transmittance => said!("Transmittance").to_owned(),
         _ => value_label(unit),
     }
 }
@@ -56,7 +56,7 @@ pub(super) fn kind_label(kind: Kind, unit: &str) -> String {
 /// A unit, or what stands for one where there is none.
 fn unit_or_value(unit: &str) -> String {
     if unit.is_empty() {
-        "Value, no unit stated"
+        said!("Value, no unit stated")
     } else {
         unit
     }

@@ -3,7 +3,7 @@
 
 use super::{Part, Verb, said};
 use crate::{
-    app::{Entry, readings::Reading},
+        app::{Entry, readings::Reading, ticks::short},
     measurements::{Kernel, Measurement, Quantity, Slit, normal, smoothed},
     spectrum::{Outside, Sampled},
 };
@@ -116,21 +116,24 @@ pub fn example(verb: Verb, of: &Drawn<'_>) -> Result<[Vec<Part>; 2], String> {
     let back = |nm: f64| 0.2 * TOP * other.at(nm, Outside::Zero);
     let counted = |nm: f64| 0.95 * TOP_COUNTS * light.at(nm, Outside::Zero) * response(nm);
     let [name, other_name, filter] = [of.light, of.other, of.filter].map(Entry::name);
-    let behind = format!("{name} behind {filter}");
+    let behind = tr!("{name} behind {filter}", name, filter);
     let mut set = |warmer: f64| -> Result<Vec<Part>, String> {
         let value = |nm: f64| glow(nm) * (1.0 - warmer * (780.0 - nm) / 400.0);
-        let word = if warmer > 0.0 { "later" } else { "scan" };
+                let scan_name = |number: usize| match warmer > 0.0 {
+            true => tr!("{name}, later {number}", name, number),
+            false => tr!("{name}, scan {number}", name, number),
+        };
         let scans = 1..=SCANS;
         scans
-            .map(|n| reader.scan(&format!("{name}, {word} {n}"), value))
+            .map(|number| reader.scan(&scan_name(number), value))
             .collect()
     };
     let first = match verb {
         Verb::Mean => set(0.0)?,
         Verb::Changed => return Ok([set(0.0)?, set(WARMER)?]),
         Verb::Difference => vec![
-            reader.scan(&format!("{name} in a lit room"), |nm| glow(nm) + back(nm))?,
-            reader.scan("the room", back)?,
+            reader.scan(&tr!("{name} in a lit room", name), |nm| glow(nm) + back(nm))?,
+            reader.scan(said!("the room"), back)?,
         ],
         Verb::Sum => vec![reader.scan(name, glow)?, reader.scan(other_name, back)?],
         Verb::Quotient | Verb::Absorbance => vec![
@@ -140,26 +143,26 @@ pub fn example(verb: Verb, of: &Drawn<'_>) -> Result<[Vec<Part>; 2], String> {
         Verb::QuotientLessDark => vec![
             reader.counts(&behind, |nm| DARK_COUNTS + counted(nm) * through(nm))?,
             reader.counts(name, |nm| DARK_COUNTS + counted(nm))?,
-            reader.counts("dark", |_| DARK_COUNTS)?,
+            reader.counts(said!("dark"), |_| DARK_COUNTS)?,
         ],
         Verb::Corrected => vec![reader.counts(name, counted)?],
         Verb::Learnt => {
             let bulb = |nm: f64| 0.95 * TOP_COUNTS * other.at(nm, Outside::Zero) * response(nm);
-            vec![reader.counts(&format!("{other_name}, counted"), bulb)?]
+            vec![reader.counts(&tr!("{other_name}, counted", other_name), bulb)?]
         }
         Verb::Splice => {
             let [end, start] = RANGES_NM;
             let second = |nm: f64| (1.0 + SECOND_RANGE) * glow(nm);
             vec![
-                cut(reader.scan(&format!("{name}, blue"), glow)?, 0.0, end)?,
-                cut(reader.scan(&format!("{name}, red"), second)?, start, 1e9)?,
+                cut(reader.scan(&tr!("{name}, blue", name), glow)?, 0.0, end)?,
+                cut(reader.scan(&tr!("{name}, red", name), second)?, start, 1e9)?,
             ]
         }
         Verb::Slit => vec![reader.scan(name, glow)?],
         Verb::Unslit => {
             let seen = Measurement::new(name, Quantity::Light, "", light.clone());
             let seen = smoothed(&seen, SLIT).map_err(said)?.samples;
-            let name = format!("{name} through {} nm", SLIT.fwhm_nm);
+                        let name = tr!("{name} through {width} nm", name, width = short(SLIT.fwhm_nm));
             vec![reader.scan(&name, |nm| TOP * seen.at(nm, Outside::Hold))?]
         }
     };
@@ -174,9 +177,9 @@ fn at_peak(entry: &Entry) -> Result<Sampled, String> {
         .collect();
     let top = values.iter().copied().fold(0.0, f64::max);
     if top <= 0.0 {
-        return Err(format!(
-            "{} does not shine from 380 to 780 nm.",
-            entry.name()
+                return Err(tr!(
+            "{light} does not shine from 380 to 780 nm.",
+            light = entry.name()
         ));
     }
     let values = values.into_iter().map(|value| value / top).collect();

@@ -7,6 +7,7 @@ use super::{
     words::with_half,
 };
 use crate::{
+    languages::with_sign,
     measurements::{
         Formula, Measurement, Normalise, Options, Quantity, combine, letter, normalised, splice,
         sum_of_composites,
@@ -43,9 +44,9 @@ pub(super) fn of_formula(
     };
     let mut found = combine(formula, &inputs, settings).map_err(said)?;
     if has_lines && found.kept < 0.25 {
-        found.notes.push(format!(
-            "The reference is almost dark between its lines: T is told at {} lines only.",
-            found.points.len()
+                found.notes.push(tr!(
+            "The reference is almost dark between its lines: T is told at {count} lines only.",
+            count = found.points.len()
         ));
     }
     let names: Vec<String> = inputs
@@ -67,7 +68,7 @@ pub(super) fn of_formula(
     };
     if let Some((composite, is_brought)) = sum_of(formula, parts) {
         if is_brought {
-            let why = "Cosine and Fourier series are added through the 1 nm grid.";
+            let why = said!("Cosine and Fourier series are added through the 1 nm grid.");
             made.notes.push(why.to_owned());
         }
         made = of_composite(made, composite)?;
@@ -95,7 +96,7 @@ pub(super) fn at_equal(parts: &[Part], by: Option<Normalise>) -> Result<Vec<Part
 /// Words of a reference or a sample that a quotient is of a surface for.
 const OF_SURFACES: [&str; 6] = [
     "reflect",
-    "white standard",
+        "white standard",
     "white reference",
     "white tile",
     "spectralon",
@@ -155,16 +156,17 @@ fn of_composite(mut made: Found, composite: Composite) -> Result<Found, String> 
 /// A sentence where they share too little.
 pub(super) fn of_ranges(parts: &[Measurement], is_sound: bool) -> Result<Found, String> {
     let [first, second] = parts else {
-        return Err("expected 2 ranges of one light".to_owned());
+        return Err(said!("expected 2 ranges of one light").to_owned());
     };
     let spliced = splice(first, second, is_sound).map_err(said)?;
-    let made_by = format!("splice of {} and {}", first.name, second.name);
+    let made_by = tr!("splice of {first} and {second}", first = first.name, second = second.name);
     let half = 1.96 * spliced.u * spliced.factor;
-    let note = format!(
-        "From {} to {} nm both are there: the second is multiplied by {}.",
-        spliced.overlap_nm[0],
-        spliced.overlap_nm[1],
-        with_half(spliced.factor, Some(half))
+        let [from, to] = spliced.overlap_nm.map(|nm| with_sign(nm.to_string()));
+    let note = tr!(
+        "From {from} to {to} nm both are there: the second is multiplied by {factor}.",
+        from,
+        to,
+        factor = with_half(spliced.factor, Some(half))
     );
     let mut found = Found::of(spliced.result.clone(), made_by, doubt_from(parts));
     found.first_nm = parts

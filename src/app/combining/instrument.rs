@@ -1,5 +1,6 @@
 //! An instrument's response: learnt from a known light, and taken off a reading.
 
+use crate::languages::{fixed, signed, with_sign};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -29,11 +30,16 @@ pub struct KeptInstrument {
 impl KeptInstrument {
     pub fn of(instrument: &Instrument) -> Self {
         let axis = instrument.axis.as_ref();
-        let axis = axis.map(|axis| format!("axis {:+.1} nm at 550 nm", axis.at_550_nm));
+                let axis = axis.map(|axis| {
+            tr!(
+                "axis {shift} nm at 550 nm",
+                shift = signed(axis.at_550_nm, 1)
+            )
+        });
         let slit = instrument
             .slit
-            .map(|slit| format!("slit {:.1} nm", slit.fwhm_nm));
-        let known = format!("by {}", instrument.known);
+                        .map(|slit| tr!("slit {width} nm", width = fixed(slit.fwhm_nm, 1)));
+        let known = tr!("by {known}", known = instrument.known);
         let about = [Some(known), Some(instrument.date.clone()), axis, slit];
         let about: Vec<String> = about.into_iter().flatten().collect();
         Self {
@@ -94,24 +100,24 @@ pub fn learnt(
     instrument.name = name.unwrap_or_else(|| reading.name.clone());
     instrument.date = today();
     instrument.known = match doubt > 0.0 {
-        true => format!("{words} \u{b1} {doubt} K"),
+                true => format!("{words} \u{b1} {} K", with_sign(doubt.to_string())),
         false => words.to_owned(),
     };
     instrument.slit = slit_of(&reading, Kernel::Gauss)
         .ok()
         .map(|found| found.slit);
-    let made_by = format!("response by {}", instrument.known);
+    let made_by = tr!("response by {known}", known = instrument.known);
     let mut found = Found::of(instrument.factor.clone(), made_by, doubt_from(parts));
     found.notes.extend(stretches(&instrument.factor));
     if let Some(axis) = &instrument.axis {
-        found.notes.push(format!(
-            "The axis is read {:+.2} nm from its place at 550 nm, by {} lines; it is put right.",
-            axis.at_550_nm,
-            axis.features.len()
+                found.notes.push(tr!(
+            "The axis is read {shift} nm from its place at 550 nm, by {lines} lines; it is put right.",
+            shift = signed(axis.at_550_nm, 2),
+            lines = axis.features.len()
         ));
     }
     if matches!(known, Known::Daylight { .. }) {
-        let why = "A cloudy sky is daylight of one CCT to no better than some 14 %.";
+        let why = said!("A cloudy sky is daylight of one CCT to no better than some 14 %.");
         found.notes.push(why.to_owned());
     }
     found.instrument = Some(instrument);
@@ -127,13 +133,17 @@ pub(super) fn used(instrument: Instrument, parts: &[Measurement]) -> Result<Foun
     let from = doubt_from(parts);
     let reading = without_dark(parts)?;
     if !matches!(reading.quantity, Quantity::Counts | Quantity::Light) {
-        return Err(format!(
-            "INPUT: found {}, expected a reading in counts",
-            reading.quantity
+                return Err(tr!(
+            "INPUT: found {quantity}, expected a reading in counts",
+            quantity = reading.quantity
         ));
     }
     let light = instrument.corrected(&reading).map_err(said)?;
-    let made_by = format!("{} by the instrument {}", reading.name, instrument.name);
+        let made_by = tr!(
+        "{reading} by the instrument {instrument}",
+        reading = reading.name,
+        instrument = instrument.name
+    );
     let mut found = Found::of(light, made_by, from);
     found.notes.extend(stretches(found.result()));
     found.first_nm = vec![found.result().samples.nm().to_vec()];
@@ -146,9 +156,11 @@ pub(super) fn used(instrument: Instrument, parts: &[Measurement]) -> Result<Foun
 fn stretches(of: &Measurement) -> Vec<String> {
     let all = of.masked().into_iter().take(6);
     all.map(|m| {
-        format!(
-            "{} from {:.0} to {:.0} nm: nothing is told there.",
-            m.why, m.from_nm, m.to_nm
+                tr!(
+            "{why} from {from} to {to} nm: nothing is told there.",
+            why = m.why,
+            from = fixed(m.from_nm, 0),
+            to = fixed(m.to_nm, 0)
         )
     })
     .collect()

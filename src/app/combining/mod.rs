@@ -16,7 +16,10 @@ pub mod words;
 use std::fmt::Display;
 
 use super::{instruments, readings::Reading};
-use crate::measurements::{Formula, Slit};
+use crate::{
+    languages::with_sign,
+    measurements::{Formula, Normalise, Slit},
+};
 
 pub use act::Act;
 pub use example::{Drawn, example};
@@ -45,9 +48,19 @@ impl Act {
                 let mut found = formula::of_formula(&formula, text, &parts, *keep_all)?;
                 formula::name_quotient(&mut found, &formula, &parts, *of_surface);
                 if let Some(equal) = equal {
-                    found
-                        .notes
-                        .push(format!("Lights are brought to equal {equal} first."));
+                                        found.notes.push(match equal {
+                        Normalise::Peak => {
+                            said!("Lights are brought to equal peak first.").to_owned()
+                        }
+                        Normalise::Area => {
+                            said!("Lights are brought to equal area first.").to_owned()
+                        }
+                        Normalise::At(nm) => tr!(
+                            "Lights are brought to equal value at {place} nm first.",
+                            place = with_sign(nm.to_string())
+                        ),
+                        Normalise::Y => said!("Lights are brought to equal Y first.").to_owned(),
+                    });
                 }
                 found
             }
@@ -84,11 +97,23 @@ impl Act {
                 };
                 text.chars().map(letter).collect()
             }
-            Self::Mean { .. } => format!("{}, mean of {}", name(0), parts.len()),
-            Self::Splice { .. } => format!("{} and {} spliced", name(0), name(1)),
-            Self::Slit { fwhm_nm, .. } => format!("{} through {fwhm_nm} nm", name(0)),
-            Self::Unslit { .. } => format!("{} without its slit", name(0)),
-            Self::Corrected { .. } => format!("{} corrected", name(0)),
+                        Self::Mean { .. } => tr!(
+                "{name}, mean of {count}",
+                name = name(0),
+                count = parts.len()
+            ),
+            Self::Splice { .. } => tr!(
+                "{first} and {second} spliced",
+                first = name(0),
+                second = name(1)
+            ),
+            Self::Slit { fwhm_nm, .. } => tr!(
+                "{name} through {width} nm",
+                name = name(0),
+                width = with_sign(fwhm_nm.to_string())
+            ),
+            Self::Unslit { .. } => tr!("{name} without its slit", name = name(0)),
+            Self::Corrected { .. } => tr!("{name} corrected", name = name(0)),
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::{
         measured::{is_light, spectrum},
         readings::Reading,
     },
+        languages::with_sign,
     measurements::{
         Changed, Doubted, Drift, Instrument, LinePoint, LineWithDoubt, Measurement, NarrowLine,
         Quantity, SlitFound, Spliced, doubts, lines_of, missing_light,
@@ -222,12 +223,15 @@ impl Found {
         }
         let stretches: Vec<String> = missing
             .iter()
-            .map(|[from, to]| format!("{from}-{to} nm"))
+            .map(|ends| {
+                let [from, to] = ends.map(|nm| with_sign(nm.to_string()));
+                format!("{from}-{to} nm")
+            })
             .collect();
         let said = (!missing.is_empty()).then(|| {
-            format!(
-                "The figures are without {}, and have no \u{b1}.",
-                stretches.join(", ")
+            tr!(
+                "The figures are without {stretches}, and have no \u{b1}.",
+                stretches = stretches.join(", ")
             )
         });
         Some((all, said.into_iter().collect()))
@@ -238,7 +242,7 @@ impl Found {
         let mut result = self.result().clone();
         name.clone_into(&mut result.name);
         let mut made = spectrum(&result, &self.made_by);
-        made.notes = vec![format!("Made: {}.", self.made_by)];
+        made.notes = vec![tr!("Made: {made_by}.", made_by = self.made_by)];
         made.notes.extend(self.notes);
         Entry {
             measured: Some(Arc::new(result)),

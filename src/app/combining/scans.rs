@@ -1,5 +1,6 @@
 //! Scans of one light: their mean, those that do not belong, what differs between two sets.
 
+use crate::languages::signed;
 use super::{
     parts::{doubt_from, with_noise},
     result::{Found, LineRow, ScanRow},
@@ -24,7 +25,7 @@ const LEAST_SCANS: usize = 3;
 pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, String> {
     let made_by = match parts.len() {
         1 => parts[0].name.clone(),
-        n => format!("mean of {n} scans"),
+        n => tr!("mean of {n} scans", n),
     };
     if parts.len() < LEAST_SCANS {
         return of_few(parts, made_by);
@@ -53,12 +54,13 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, S
     let drift = drift(&repeats.levels);
     if let Some(drift) = drift.filter(|drift| drift.is_there()) {
         let percent = 100.0 * drift.per_scan;
-        notes.push(format!(
-            "The level changes by {percent:+.2} % from scan to scan."
+                notes.push(tr!(
+            "The level changes by {share} % from scan to scan.",
+            share = signed(percent, 2)
         ));
     }
     if kept.len() == LEAST_SCANS {
-        notes.push("The uncertainty is that of 3 scans only.".to_owned());
+        notes.push(said!("The uncertainty is that of 3 scans only.").to_owned());
     }
     let lines = lines_of_scans(&repeats.mean, &kept).map_err(said)?;
     Ok(Found {
@@ -86,13 +88,11 @@ impl Belonging {
         let (mut odd, is_open) = misfits(parts).map_err(said)?;
         if is_open && !keep_all {
             return Err(match parts.len() {
-                3 => "Two of three scans differ from the third and each other: which is wrong \
-                      cannot be said."
+                3 => said!("Two of three scans differ from the third and each other: which is wrong \
+                      cannot be said.")
                     .to_owned(),
-                n => format!(
-                    "More than half of {n} scans differ from the others and each other: which is \
-                     wrong cannot be said."
-                ),
+                n => tr!("More than half of {n} scans differ from the others and each other: which is \
+                     wrong cannot be said.", n),
             });
         }
         let drops = !keep_all && parts.len() - odd.len() >= LEAST_SCANS;
@@ -100,13 +100,21 @@ impl Belonging {
         let is_out = |scan: usize| drops && odd.iter().any(|m| m.scan == scan);
         let kept = (0..parts.len()).filter(|scan| !is_out(*scan));
         let kept = kept.map(|scan| parts[scan].clone()).collect();
-        let what = match drops {
-            true => "left out, unless everything is kept",
-            false => "kept all the same",
-        };
-        let note = |Misfit { scan, why }: &Misfit| {
+                let note = |Misfit { scan, why }: &Misfit| {
             let name = &parts[*scan].name;
-            format!("{name} does not seem to belong: {why}. It is {what}.")
+            match drops {
+                true => tr!(
+                    "{name} does not seem to belong: {why}. It is left out, unless everything is \
+                     kept.",
+                    name,
+                    why
+                ),
+                false => tr!(
+                    "{name} does not seem to belong: {why}. It is kept all the same.",
+                    name,
+                    why
+                ),
+            }
         };
         Ok(Self {
             notes: odd.iter().map(note).collect(),
@@ -147,8 +155,11 @@ fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, String> {
     }
     if parts[0].sigma.is_none() && has_memory(&parts[0].samples) {
         found.notes.push(
-            "Neighbours share their noise, which one scan does not tell: \u{b1} is at least as told."
-                .to_owned(),
+                        said!(
+                "Neighbours share their noise, which one scan does not tell: \u{b1} is at least as \
+                 told."
+            )
+            .to_owned(),
         );
     }
     let scans = found.result_mut().scans.get_or_insert(parts.len());
@@ -200,7 +211,7 @@ pub fn of_change(
             Ok(found)
         }
         Err(ChangeError::CannotSay(why @ RepeatsError::TooFew { .. })) => {
-            let sentence = format!("Cannot say: {why}");
+            let sentence = tr!("Cannot say: {why}", why);
             Ok(Found::of_change(Changed::unsaid(), Vec::new(), sentence))
         }
         Err(why) => Err(why.to_string()),

@@ -1,5 +1,6 @@
 //! A slit put on, and one taken off.
 
+use crate::languages::{fixed, signed, with_sign};
 use super::{
     parts::{doubt_from, with_noise},
     result::{Found, LineRow},
@@ -15,7 +16,7 @@ use crate::{
 
 fn the_one(parts: Vec<Measurement>) -> Result<Measurement, String> {
     let one = with_noise(parts).into_iter().next();
-    one.ok_or_else(|| "expected a light".to_owned())
+    one.ok_or_else(|| said!("expected a light").to_owned())
 }
 
 /// A light as an instrument with this slit sees it.
@@ -26,11 +27,11 @@ pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Stri
     let from = doubt_from(&parts);
     let part = the_one(parts)?;
     let seen = smoothed(&part, slit).map_err(said)?;
-    let made_by = format!(
-        "{} through {} nm ({})",
-        part.name,
-        slit.fwhm_nm,
-        slit.shape.word()
+        let made_by = tr!(
+        "{name} through {width} nm ({shape})",
+        name = part.name,
+        width = with_sign(slit.fwhm_nm.to_string()),
+        shape = slit.shape.word()
     );
     let mut found = Found::of(seen, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
@@ -61,35 +62,37 @@ pub(super) fn taken_off(
         part.sigma = noise_behind(&part.samples, slit.slit);
     }
     let made = unslit(&part, slit.slit).map_err(said)?;
-    let about = if slit.is_sure { "" } else { "about " };
-    let width = format!(
-        "{about}{:.2} nm ({})",
-        slit.slit.fwhm_nm,
-        slit.slit.shape.word()
-    );
-    let made_by = format!("{} without its slit of {width}", part.name);
+        let (width, shape) = (fixed(slit.slit.fwhm_nm, 2), slit.slit.shape.word());
+    let width = match slit.is_sure {
+        true => format!("{width} nm ({shape})"),
+        false => tr!("about {width} nm ({shape})", width, shape),
+    };
+    let made_by = tr!("{name} without its slit of {width}", name = part.name, width);
     let mut found = Found::of(made.result, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
     if !made.is_made {
-        let why = "Bandwidth changes less than the noise: left as it is.";
+        let why = said!("Bandwidth changes less than the noise: left as it is.");
         found.notes.push(why.to_owned());
     }
     if !slit.lines.is_empty() && slit.u > 0.0 {
-        found.notes.push(format!(
-            "The slit is {width}, told by {} lines; they are read {:+.2} nm from their places.",
-            slit.lines.len(),
-            slit.shift_nm
+                found.notes.push(tr!(
+            "The slit is {width}, told by {lines} lines; they are read {shift} nm from their places.",
+            width,
+            lines = slit.lines.len(),
+            shift = signed(slit.shift_nm, 2)
         ));
     }
     if !slit.is_sure && slit.lines.is_empty() {
-        let told = "told by oxygen's band of daylight at 763 nm";
-        found.notes.push(format!("The slit is {width}, {told}."));
+                found.notes.push(tr!(
+            "The slit is {width}, told by oxygen's band of daylight at 763 nm.",
+            width
+        ));
     }
     if made.is_made && !made.lines.is_empty() {
-        found.notes.push(format!(
-            "{} lines are drawn 2 nm wide: each is a line, or a band narrower than {:.0} nm.",
-            made.lines.len(),
-            (0.5 * slit.slit.fwhm_nm).max(1.0)
+                found.notes.push(tr!(
+            "{lines} lines are drawn 2 nm wide: each is a line, or a band narrower than {width} nm.",
+            lines = made.lines.len(),
+            width = fixed((0.5 * slit.slit.fwhm_nm).max(1.0), 0)
         ));
     }
     let power = area(&part.samples);

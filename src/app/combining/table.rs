@@ -9,6 +9,7 @@ use crate::{
         cells::{Columns, Table, cell, column},
         readings::names_of_lines,
     },
+        languages,
     measurements::{Doubted, Part},
 };
 
@@ -18,26 +19,26 @@ const MOST_LINES: usize = 8;
 /// Half width of 95 % in standard deviations.
 const OF_95: f64 = 1.96;
 
-const HALF_WIDTH: &str = "\u{b1} is the half width of the 95 % interval.";
+const HALF_WIDTH: &str = later!("\u{b1} is the half width of the 95 % interval.");
 
 /// The tables that have rows, each under its title.
 pub fn tables(found: &Found) -> Vec<(&'static str, Table)> {
     let figures = found.figures().map(|(all, _)| all).unwrap_or_default();
     let mut all = Vec::new();
     if !figures.is_empty() {
-        all.push(("Figures", of_figures(&figures)));
+        all.push((said!("Figures"), of_figures(&figures)));
     }
     if let Some((changed, names)) = &found.changed
         && !changed.parts.is_empty()
     {
         let named: Vec<(&String, &Part)> = names.iter().zip(&changed.parts).collect();
-        all.push(("Differences", of_parts(&named)));
+        all.push((said!("Differences"), of_parts(&named)));
     }
     if !found.lines.is_empty() {
-        all.push(("Lines", of_lines(found)));
+        all.push((said!("Lines"), of_lines(found)));
     }
     if !found.scans.is_empty() {
-        all.push(("Scans", of_scans(&found.scans)));
+        all.push((said!("Scans"), of_scans(&found.scans)));
     }
     all
 }
@@ -47,11 +48,11 @@ fn of_figures(figures: &[Doubted]) -> Table {
     let half = |d: &Row<'_>| d.doubt.map(|doubt| doubt.half_width_95);
     let columns = Columns::<Row<'_>>::default()
         .with("figure", |d: &Row<'_>| cell(d.figure.words()))
-        .titled("figure", "")
+        .titled(said!("figure"), "")
         .with("value", |d| {
             cell(d.doubt.map(|doubt| doubt.value)).shown(figure_words(d))
         })
-        .titled("value", HALF_WIDTH)
+        .titled(said!("value"), languages::said(HALF_WIDTH))
         .with("half_width_95", move |d| {
             cell(half(d).filter(|half| half.is_finite()))
         });
@@ -62,11 +63,11 @@ fn of_parts(parts: &[(&String, &Part)]) -> Table {
     type Row<'a> = &'a (&'a String, &'a Part);
     let columns = Columns::<Row<'_>>::default()
         .with("part", |(name, _): &Row<'_>| cell(name.as_str()))
-        .titled("part", "A line by its name, or what lies below the lines.")
+        .titled(said!("part"), said!("A line by its name, or what lies below the lines."))
         .with("change", |(_, part)| {
             cell(part.change).shown(change_words(part))
         })
-        .titled("change", HALF_WIDTH)
+        .titled(said!("change"), languages::said(HALF_WIDTH))
         .with("half_width_95", |(_, part)| cell(OF_95 * part.u));
     Table::new("", columns, parts)
 }
@@ -96,21 +97,24 @@ fn of_lines(found: &Found) -> Table {
     };
     let columns = Columns::<Row<'_>>::default()
         .with("line", |(name, line): &Row<'_>| {
-            let uncertain = if line.is_certain { "" } else { " (uncertain)" };
-            cell(name.as_deref()).shown(format!("{}{uncertain}", name.as_deref().unwrap_or("")))
+                        let shown = name.as_deref().unwrap_or("");
+            cell(name.as_deref()).shown(match line.is_certain {
+                true => shown.to_owned(),
+                false => tr!("{name} (uncertain)", name = shown),
+            })
         })
-        .titled("line", "Its name, where an atom explains it.")
+        .titled(said!("line"), said!("Its name, where an atom explains it."))
         .and(told("at_nm", 0, |line| Some(line.at_nm)))
-        .titled("nm", HALF_WIDTH)
+        .titled("nm", languages::said(HALF_WIDTH))
         .and(halves("at_nm_half_width_95", 0))
         .and(told("weight", 1, |line| line.weight))
-        .titled("weight", "Its power, or of a quotient the quotient there.")
+        .titled(said!("weight"), said!("Its power, or of a quotient the quotient there."))
         .and(halves("weight_half_width_95", 1))
         .with("share", |(_, line)| {
-            let shown = line.share.map(|share| format!("{:.1} %", 100.0 * share));
+            let shown = line.share.map(|share| format!("{} %", languages::fixed(100.0 * share, 1)));
             cell(line.share).shown(shown.unwrap_or_default())
         })
-        .titled("share", "Its share of the power.");
+        .titled(said!("share"), said!("Its share of the power."));
     Table::new("", columns, names.into_iter().zip(lines))
 }
 
@@ -118,14 +122,14 @@ fn of_scans(scans: &[ScanRow]) -> Table {
     type Row<'a> = &'a ScanRow;
     let columns = Columns::<Row<'_>>::default()
         .with("scan", |scan: &Row<'_>| cell(scan.name.as_str()))
-        .titled("scan", "")
+        .titled(said!("scan"), "")
         .with("level", |scan| {
             cell(scan.level).shown(match &scan.why {
-                Some(why) if !scan.is_kept => format!("left out: {why}"),
+                Some(why) if !scan.is_kept => tr!("left out: {why}", why),
                 _ => scan_words(scan),
             })
         })
-        .titled("beside the mean", "Its level and its wavelengths.")
+        .titled(said!("beside the mean"), said!("Its level and its wavelengths."))
         .with("shift_nm", |scan| cell(scan.shift_nm))
         .with("kept", |scan| cell(scan.is_kept));
     Table::new("", columns, scans)

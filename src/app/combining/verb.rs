@@ -32,9 +32,9 @@ const fn slot(name: &'static str, meaning: &'static str) -> Slot {
     Slot { name, meaning }
 }
 
-const LIGHT: Slot = slot("Light A", "The light that is looked at.");
-const SAMPLE: Slot = slot("Sample A", "The light behind the sample, or off it.");
-const REFERENCE: Slot = slot("Reference B", "The same light without the sample.");
+const LIGHT: Slot = slot(later!("Light A"), later!("The light that is looked at."));
+const SAMPLE: Slot = slot(later!("Sample A"), later!("The light behind the sample, or off it."));
+const REFERENCE: Slot = slot(later!("Reference B"), later!("The same light without the sample."));
 
 impl Verb {
     /// Every verb, in the order offered.
@@ -56,41 +56,41 @@ impl Verb {
     /// What it is called.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Mean => "mean of scans",
-            Self::Difference => "A less B",
-            Self::Sum => "A and B together",
-            Self::Quotient => "A over B",
-            Self::QuotientLessDark => "A over B, less dark C",
-            Self::Absorbance => "absorbance of A over B",
-            Self::Splice => "A and B spliced",
-            Self::Slit => "seen through a slit",
-            Self::Unslit => "its slit taken off",
-            Self::Corrected => "corrected by an instrument",
-            Self::Learnt => "an instrument, learnt",
-            Self::Changed => "what changed",
+            Self::Mean => said!("mean of scans"),
+            Self::Difference => said!("A less B"),
+            Self::Sum => said!("A and B together"),
+            Self::Quotient => said!("A over B"),
+            Self::QuotientLessDark => said!("A over B, less dark C"),
+            Self::Absorbance => said!("absorbance of A over B"),
+            Self::Splice => said!("A and B spliced"),
+            Self::Slit => said!("seen through a slit"),
+            Self::Unslit => said!("its slit taken off"),
+            Self::Corrected => said!("corrected by an instrument"),
+            Self::Learnt => said!("an instrument, learnt"),
+            Self::Changed => said!("what changed"),
         }
     }
 
     /// What it is for, a sentence.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Mean => "Scans of one light: three or more tell how well every figure is known.",
-            Self::Difference => "A light less its dark, or less a background.",
-            Self::Sum => "Two lights at once.",
+            Self::Mean => said!("Scans of one light: three or more tell how well every figure is known."),
+            Self::Difference => said!("A light less its dark, or less a background."),
+            Self::Sum => said!("Two lights at once."),
             Self::Quotient => {
-                "A sample over its reference: the share that is let through or sent back."
+                said!("A sample over its reference: the share that is let through or sent back.")
             }
-            Self::QuotientLessDark => "The same for counts, the instrument's dark taken off both.",
-            Self::Absorbance => "The decadic absorbance of a sample over its reference.",
-            Self::Splice => "Two ranges of one light that share 20 nm or more.",
-            Self::Slit => "A light as an instrument of a wider slit sees it.",
-            Self::Unslit => "A light without what the instrument's slit did to it.",
+            Self::QuotientLessDark => said!("The same for counts, the instrument's dark taken off both."),
+            Self::Absorbance => said!("The decadic absorbance of a sample over its reference."),
+            Self::Splice => said!("Two ranges of one light that share 20 nm or more."),
+            Self::Slit => said!("A light as an instrument of a wider slit sees it."),
+            Self::Unslit => said!("A light without what the instrument's slit did to it."),
             Self::Corrected => {
-                "A reading in counts as a light: the instrument's response taken off."
+                said!("A reading in counts as a light: the instrument's response taken off.")
             }
-            Self::Learnt => "An instrument's response, by its reading of a light that is known.",
+            Self::Learnt => said!("An instrument's response, by its reading of a light that is known."),
             Self::Changed => {
-                "The differences between two sets of scans that are beyond their noise."
+                said!("The differences between two sets of scans that are beyond their noise.")
             }
         }
     }
@@ -100,23 +100,28 @@ impl Verb {
         match self {
             Self::Mean | Self::Changed => &[],
             Self::Difference => {
-                const DARK: Slot = slot("Dark B", "The dark or the background that is taken off.");
+                const DARK: Slot = slot(later!("Dark B"), later!("The dark or the background that is taken off."));
                 &const { [LIGHT, DARK] }
             }
-            Self::Sum => &const { [LIGHT, slot("Light B", "The light that is added.")] },
+            Self::Sum => &const { [LIGHT, slot(later!("Light B"), later!("The light that is added."))] },
             Self::Quotient | Self::Absorbance => &const { [SAMPLE, REFERENCE] },
             Self::QuotientLessDark => {
-                const DARK: Slot = slot("Dark C", "What the instrument counts without light.");
+                const DARK: Slot = slot(later!("Dark C"), later!("What the instrument counts without light."));
                 &const { [SAMPLE, REFERENCE, DARK] }
             }
             Self::Splice => {
-                const FIRST: Slot = slot("Range A", "The range that keeps its level.");
-                const SECOND: Slot = slot("Range B", "It is brought to the level of A.");
+                const FIRST: Slot = slot(later!("Range A"), later!("The range that keeps its level."));
+                const SECOND: Slot = slot(later!("Range B"), later!("It is brought to the level of A."));
                 &const { [FIRST, SECOND] }
             }
             Self::Slit | Self::Unslit => &const { [LIGHT] },
             Self::Corrected | Self::Learnt => {
-                &const { [slot("Reading A", "A reading, its dark taken off before.")] }
+                &const {
+                    [slot(
+                        later!("Reading A"),
+                        later!("A reading, its dark taken off before."),
+                    )]
+                }
             }
         }
     }

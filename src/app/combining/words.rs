@@ -1,10 +1,12 @@
 //! The result of a combination in words.
 
+use crate::languages::{fixed, signed, with_sign};
 use std::fmt::Write as _;
 
 use super::result::{Found, LineRow, ScanRow};
 use crate::{
-    app::ticks::short,
+        app::ticks::short,
+    io::many::capitalised,
     measurements::{Changed, Doubt, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
 };
 
@@ -74,7 +76,7 @@ pub fn doubt_words(found: &Found, result: &Measurement) -> String {
         }
         let has_doubt = |d: &Doubted| d.doubt.is_some_and(|doubt| doubt.half_width_95 > 0.0);
         if all.iter().any(has_doubt) && result.level == 0.0 && result.axis_nm == 0.0 {
-            let _ = writeln!(text, "Note      {NOISE_ONLY}");
+                        let _ = writeln!(text, "Note      {NOISE_ONLY}");
         }
     }
     for line in found.lines.iter().take(MOST_LINES) {
@@ -86,7 +88,11 @@ pub fn doubt_words(found: &Found, result: &Measurement) -> String {
 /// `level +0.31 %, moved -0.012 nm`.
 pub fn scan_words(scan: &ScanRow) -> String {
     let (level, shift) = (100.0 * scan.level, scan.shift_nm);
-    format!("level {level:+.2} %, moved {shift:+.3} nm")
+        tr!(
+        "level {level} %, moved {shift} nm",
+        level = signed(level, 2),
+        shift = signed(shift, 3)
+    )
 }
 
 /// `12.4 ± 0.3`; the value alone where its half width is not known.
@@ -94,7 +100,7 @@ pub fn with_half(value: f64, half: Option<f64>) -> String {
     match half {
         Some(half) if half > 0.0 => {
             let (value, half) = rounded(value, half);
-            format!("{value} \u{b1} {half}")
+                        with_sign(format!("{value} \u{b1} {half}"))
         }
         _ => short(value),
     }
@@ -103,16 +109,19 @@ pub fn with_half(value: f64, half: Option<f64>) -> String {
 /// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
 pub fn line_words(line: &LineRow) -> String {
     let with = |value: f64, u: Option<f64>| with_half(value, u.map(|u| 1.96 * u));
-    let share = line.share.map_or_else(String::new, |share| {
-        format!(", {:.1} % of the power", 100.0 * share)
-    });
-    let uncertain = if line.is_certain { "" } else { ", uncertain" };
-    format!(
-        "{} nm, {}{share}{uncertain}",
-        with(line.at_nm, line.u[0]),
-        line.weight
-            .map_or("its top is cut".to_owned(), |w| with(w, line.u[1]))
-    )
+        let weight = line.weight.map_or_else(
+        || said!("its top is cut").to_owned(),
+        |w| with(w, line.u[1]),
+    );
+    let mut words = vec![format!("{} nm", with(line.at_nm, line.u[0])), weight];
+    words.extend(line.share.map(|share| {
+        tr!(
+            "{share} % of the power",
+            share = fixed(100.0 * share, 1)
+        )
+    }));
+    words.extend((!line.is_certain).then(|| said!("uncertain").to_owned()));
+    words.join(", ")
 }
 
 /// `CCT       4224 ± 11 K`.
@@ -150,15 +159,15 @@ pub fn headline(found: &Found) -> String {
     let kept = result.kept_values().iter().flatten().count();
     let share = 100 * kept / result.samples.len().max(1);
     let quantity = result.quantity.to_string();
-    let quantity = format!("{}{}", quantity[..1].to_uppercase(), &quantity[1..]);
+        let quantity = capitalised(&quantity);
     let what = match (found.scans.len(), kept == result.samples.len()) {
         (0, true) => quantity,
-        (0, false) => format!("{quantity}, told over {share} % of its samples"),
-        (n, _) => {
+        (0, false) => tr!("{quantity}, told over {share} % of its samples", quantity, share),
+                (all, _) => {
             let used = found.scans.iter().filter(|scan| scan.is_kept).count();
-            match used == n {
-                true => format!("The mean of {n} scans"),
-                false => format!("The mean of {used} of {n} scans"),
+            match used == all {
+                true => tr!("The mean of {all} scans", all),
+                false => tr!("The mean of {used} of {all} scans", used, all),
             }
         }
     };
@@ -178,7 +187,7 @@ pub fn headline(found: &Found) -> String {
 pub(super) fn part_name(part: &Part, name: Option<&str>) -> String {
     match (part.feature, name) {
         (Feature::Line(_), Some(name)) => name.to_owned(),
-        (Feature::Line(at), None) => format!("line {at:.1}"),
+        (Feature::Line(at), None) => tr!("line {at}", at = fixed(at, 1)),
         (feature, _) => feature.to_string(),
     }
 }
@@ -191,7 +200,7 @@ pub fn change_words(part: &Part) -> String {
     };
     let (change, u) = rounded(by * part.change, 1.96 * by * part.u);
     let sign = if part.change > 0.0 { "+" } else { "" };
-    format!("{sign}{change} \u{b1} {u}{unit}")
+        with_sign(format!("{sign}{change} \u{b1} {u}{unit}"))
 }
 
 /// What differs, in a sentence.
@@ -199,17 +208,22 @@ pub(super) fn sentence(changed: &Changed, names: &[String]) -> String {
     let amount = |(part, name): (&Part, &String)| format!("{name} {}", change_words(part));
     let parts: Vec<String> = changed.parts.iter().zip(names).map(amount).collect();
     match changed.verdict {
-        Verdict::Different => format!("Different: {}.", parts.join(", ")),
+                Verdict::Different => tr!("Different: {changes}.", changes = parts.join(", ")),
         Verdict::Same => {
-            let level = match parts.first() {
-                Some(level) => format!(" ({level})"),
-                None => String::new(),
-            };
-            format!(
-                "Same{level}: no difference beyond the noise (a line would have to change by {:.1} %).",
-                changed.least_seen_percent
-            )
+            let least = fixed(changed.least_seen_percent, 1);
+            match parts.first() {
+                Some(level) => tr!(
+                    "Same ({level}): no difference beyond the noise (a line would have to change by \
+                     {least} %).",
+                    level,
+                    least
+                ),
+                None => tr!(
+                    "Same: no difference beyond the noise (a line would have to change by {least} %).",
+                    least
+                ),
+            }
         }
-        Verdict::CannotSay => "Cannot say.".to_owned(),
+        Verdict::CannotSay => said!("Cannot say.").to_owned(),
     }
 }

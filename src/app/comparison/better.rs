@@ -1,11 +1,14 @@
 //! One purpose of two lights: the values, which is better, and a sentence.
 
 use super::{
-    purpose::Purpose,
+    purpose::{Predicate, Purpose, Win, reading_both, reading_nearer},
     rule::{Found, Which},
     side::Side,
 };
-use crate::app::numbers::fixed;
+use crate::{
+    app::{numbers::fixed, ticks::short},
+    languages::said,
+};
 
 /// Which of two lights is better for something.
 #[derive(Clone, Debug)]
@@ -17,8 +20,8 @@ pub struct Better {
     pub which: Option<Which>,
     /// A sentence with both figures, or why nothing can be said.
     pub words: String,
-    /// Verb, object and figures of the better light's sentence; empty where there is none.
-    pub(super) phrase: [String; 3],
+    /// What is said of the better light, and the figures; `None` where none is better.
+    pub(super) phrase: Option<(Predicate, String)>,
 }
 
 impl Better {
@@ -36,7 +39,7 @@ impl Better {
         };
         let (which, words, phrase) = match known {
             Ok(known) => told(purpose, sides, known),
-            Err(why) => (None, nothing(purpose, &why), Default::default()),
+            Err(why) => (None, nothing(purpose, &why), None),
         };
         Self {
             purpose,
@@ -55,9 +58,10 @@ impl Better {
 
 /// The sentence where nothing can be said.
 fn nothing(purpose: &Purpose, why: &str) -> String {
-    format!(
-        "Nothing can be said of {}: {why}.",
-        purpose.title.to_lowercase()
+    tr!(
+        "Nothing can be said of {purpose}: {why}.",
+        purpose = said(purpose.topic),
+        why
     )
 }
 
@@ -65,7 +69,7 @@ fn told(
     purpose: &Purpose,
     sides: &[Side; 2],
     values: [f64; 2],
-) -> (Option<Which>, String, [String; 3]) {
+) -> (Option<Which>, String, Option<(Predicate, String)>) {
     let shown = values.map(|value| fixed(value, purpose.digits));
     let found = match purpose.rule.of(values) {
         // What the digits do not show is no difference to a reader.
@@ -74,58 +78,50 @@ fn told(
     };
     let [a, b] = &shown;
     let named = |figures: String| {
-        let words = [purpose.figure, &figures, purpose.unit];
+        let words = [said(purpose.figure), &figures, purpose.unit];
         let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
         format!("({})", words.join(" "))
     };
-    let both = named(format!("{a} and {b}"));
-    let against = |place: usize| named(format!("{} against {}", shown[place], shown[1 - place]));
-    let [verb, rest] = purpose.wins;
-    let phrase = |place: usize, verb: &str, object: String| {
-        let phrase = [verb.to_owned(), object, against(place)];
-        let words = format!("{} {}.", sides[place].name, phrase.join(" "));
-        (words, phrase)
+    let both = named(tr!("{a} and {b}", a, b));
+    let phrase = |place: usize, predicate: Predicate| {
+        let (better, other) = (&shown[place], &shown[1 - place]);
+        let figures = named(tr!("{better} against {other}", better, other));
+        let words = tr!(
+            "{light} {predicate} {figures}.",
+            light = sides[place].name,
+            predicate = predicate.whole,
+            figures
+        );
+        (words, Some((predicate, figures)))
     };
     let (words, phrase) = match found {
         Found::Better {
             place,
             is_much,
             ratio,
-        } => {
-            let better = if is_much { "much better" } else { "better" };
-            let object = rest
-                .replace("{better}", better)
-                .replace("{more}", &more(ratio));
-            phrase(place, verb, object)
+        } => phrase(place, (purpose.wins)(Win { is_much, ratio })),
+        Found::Reaches { place } => {
+            let win = Win {
+                is_much: false,
+                ratio: 1.0,
+            };
+            phrase(place, (purpose.wins)(win))
         }
-        Found::Reaches { place } => phrase(place, "reaches", rest.to_owned()),
-        Found::Nearer { place } => {
-            phrase(place, "comes nearer to", format!("{rest}, but misses it"))
-        }
-        Found::BothReach => (
-            format!("Both reach {} {both}.", purpose.both),
-            Default::default(),
-        ),
-        Found::BothMiss => (
-            format!("Both miss {} {both}.", purpose.both),
-            Default::default(),
-        ),
-        Found::Same => (format!("Both {} {both}.", purpose.both), Default::default()),
+        Found::Nearer { place } => phrase(place, reading_nearer()),
+        Found::BothReach => (reading_both(&both, true), None),
+        Found::BothMiss => (reading_both(&both, false), None),
+        Found::Same => ((purpose.same)(&both), None),
         Found::TooLow { least } => {
-            let why = format!("{} is below {least} in both lights {both}", purpose.figure);
-            (nothing(purpose, &why), Default::default())
+            let why = tr!(
+                "{figure} is below {least} in both lights {both}",
+                figure = said(purpose.figure),
+                least = short(least),
+                both
+            );
+            (nothing(purpose, &why), None)
         }
     };
     (found.which(), words, phrase)
-}
-
-/// How much more one gives: "8 % more", "2.3 times the", "far more".
-fn more(ratio: f64) -> String {
-    match ratio {
-        r if r < 2.0 => format!("{:.0} % more", 100.0 * (r - 1.0)),
-        r if r < 100.0 => format!("{r:.1} times the"),
-        _ => "far more".to_owned(),
-    }
 }
 
 #[cfg(test)]
@@ -134,8 +130,17 @@ mod tests {
 
     #[test]
     fn how_much_more_is_told_in_per_cent_times_or_not_at_all() {
-        assert_eq!(more(1.08), "8 % more");
-        assert_eq!(more(2.34), "2.3 times the");
-        assert_eq!(more(f64::INFINITY), "far more");
+        let energy = Purpose::of_key("energy").expect("a purpose");
+        for (ratio, words) in [
+            (1.08, "gives 8 % more light per watt of radiation"),
+            (2.34, "gives 2.3 times the light per watt of radiation"),
+            (f64::INFINITY, "gives far more light per watt of radiation"),
+        ] {
+            let win = Win {
+                is_much: false,
+                ratio,
+            };
+            assert_eq!((energy.wins)(win).whole, words);
+        }
     }
 }

@@ -1,7 +1,11 @@
 //! Two lights compared for every purpose, and the sentence that sums it up.
 
 use super::{better::Better, purpose::PURPOSES, rule::Which, side::Side};
-use crate::{app::tint::kelvin_words, spectrum::Band};
+use crate::{
+    app::{ticks::short, tint::kelvin_words},
+    languages::said,
+    spectrum::Band,
+};
 
 /// Two lights compared.
 #[derive(Clone, Debug)]
@@ -57,18 +61,18 @@ fn summary(sides: &[Side; 2], better: &[Better]) -> String {
         let wins = chosen.iter().filter(|b| b.winner() == Some(place));
         let mut last = "";
         let parts: Vec<String> = wins
-            .map(|b| {
-                let [verb, object, figures] = &b.phrase;
-                let verb_words = match last == verb {
-                    true => String::new(),
-                    false => format!("{verb} "),
+            .filter_map(|b| {
+                let (predicate, figures) = b.phrase.as_ref()?;
+                let words = match last == predicate.verb {
+                    true => &predicate.again,
+                    false => &predicate.whole,
                 };
-                last = verb;
+                last = predicate.verb;
                 // A per cent tells enough.
-                match b.purpose.figure {
-                    "" => format!("{verb_words}{object}"),
-                    _ => format!("{verb_words}{object} {figures}"),
-                }
+                Some(match b.purpose.figure {
+                    "" => words.clone(),
+                    _ => format!("{words} {figures}"),
+                })
             })
             .collect();
         (!parts.is_empty()).then(|| format!("{} {}", sides[place].name, listed(&parts)))
@@ -80,11 +84,16 @@ fn summary(sides: &[Side; 2], better: &[Better]) -> String {
 /// The summary where no purpose has a better light.
 fn undecided(sides: &[Side; 2], better: &[Better]) -> String {
     let same = better.iter().filter(|b| b.which == Some(Which::Same));
-    let same: Vec<String> = same.map(|b| b.purpose.title.to_lowercase()).collect();
+    let same: Vec<String> = same.map(|b| said(b.purpose.topic).to_owned()).collect();
     let [a, b] = sides.each_ref().map(|side| &side.name);
     match same.len() {
-        0 => format!("Nothing decides between {a} and {b}."),
-        _ => format!("{a} and {b} are about the same for {}.", listed(&same)),
+        0 => tr!("Nothing decides between {a} and {b}.", a, b),
+        _ => tr!(
+            "{a} and {b} are about the same for {purposes}.",
+            a,
+            b,
+            purposes = listed(&same)
+        ),
     }
 }
 
@@ -93,7 +102,7 @@ fn listed(words: &[String]) -> String {
     match words {
         [] => String::new(),
         [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [first @ .., last] => tr!("{list} and {last}", list = first.join(", "), last),
     }
 }
 
@@ -102,19 +111,19 @@ fn notes(sides: &[Side; 2], shared: Option<Band>) -> Vec<String> {
     if let [Ok(a), Ok(b)] = sides.each_ref().map(|side| &side.figures.cct) {
         let [a, b] = [a.kelvin, b.kelvin];
         if a.max(b) > OTHER_REFERENCE * a.min(b) {
-            notes.push(format!(
+            notes.push(tr!(
                 "Rf, Ra, R9, R13 and SSI compare each light with a reference of its own colour \
-                 temperature, {} and {}.",
-                kelvin_words(a),
-                kelvin_words(b)
+                 temperature, {first} and {second}.",
+                first = kelvin_words(a),
+                second = kelvin_words(b)
             ));
         }
     }
     if let Some(band) = shared {
-        notes.push(format!(
-            "Energy and plants count the radiation of {}-{} nm, where both lights are known.",
-            band.min_nm(),
-            band.max_nm()
+        notes.push(tr!(
+            "Energy and plants count the radiation of {from}-{to} nm, where both lights are known.",
+            from = short(band.min_nm()),
+            to = short(band.max_nm())
         ));
     }
     for side in sides {
@@ -122,8 +131,8 @@ fn notes(sides: &[Side; 2], shared: Option<Band>) -> Vec<String> {
         notes.extend(of_side.map(|note| format!("{}: {note}.", side.name)));
     }
     notes.push(
-        "A spectrum does not tell how much power a lamp takes from the mains, whether it flickers \
-         or what it costs."
+        said!("A spectrum does not tell how much power a lamp takes from the mains, whether it flickers \
+         or what it costs.")
             .to_owned(),
     );
     notes

@@ -14,6 +14,7 @@
 //! The thresholds are this program's, but for the 80 of EN 12464-1.
 
 use super::{rule::Rule, side::Side};
+use crate::app::numbers::fixed;
 
 /// Something that a light is for.
 #[derive(Clone, Copy, Debug)]
@@ -34,11 +35,12 @@ pub struct Purpose {
     pub(super) of: fn(&Side) -> Result<f64, String>,
     /// How two of them are compared.
     pub(super) rule: Rule,
-    /// What is said of the better light: a verb and what follows it. `{better}` is "better" or
-    /// "much better", `{more}` is "8 % more" or "2.3 times the".
-    pub(super) wins: [&'static str; 2],
-    /// What is said of both where they are about the same, after "Both".
-    pub(super) both: &'static str,
+    /// What it is called in the middle of a sentence.
+    pub(super) topic: &'static str,
+    /// What is said of the better light.
+    pub(super) wins: fn(Win) -> Predicate,
+    /// What is said of both where they are about the same, with their figures.
+    pub(super) same: fn(&str) -> String,
 }
 
 impl Purpose {
@@ -56,7 +58,7 @@ impl Purpose {
         let is_finite = value.is_finite();
         is_finite
             .then_some(value)
-            .ok_or_else(|| format!("{} has no finite figure", side.name))
+            .ok_or_else(|| tr!("{side} has no finite figure", side = side.name))
     }
 }
 
@@ -67,168 +69,394 @@ const OF_SAMPLE: Rule = Rule::Points {
     least: f64::NEG_INFINITY,
 };
 
-const MELANOPIC: &str = "melanopic DER";
+const MELANOPIC: &str = later!("melanopic DER");
 
 /// Every purpose, in the order in which they are told.
 pub const PURPOSES: [Purpose; 10] = [
     Purpose {
         key: "colours",
-        title: "Colours",
+        title: later!("Colours"),
         figure: "Rf",
         unit: "",
         digits: 0,
-        why: "Rf is the mean over 99 surfaces, each light beside its own reference (TM-30).",
+        why: later!("Rf is the mean over 99 surfaces, each light beside its own reference (TM-30)."),
         of: Side::rf,
         rule: Rule::Points {
             same: 3.0,
             much: 20.0,
             least: f64::NEG_INFINITY,
         },
-        wins: ["shows", "colours {better}"],
-        both: "shift colours by about the same amount",
+        topic: later!("colours"),
+        wins: colours_wins,
+        same: colours_same,
     },
     Purpose {
         key: "skin",
-        title: "Light skin",
+        title: later!("Light skin"),
         figure: "R13",
         unit: "",
         digits: 0,
-        why: "R13 tells how far a light skin shifts from its colour under the reference (CIE 13.3).",
+        why: later!("R13 tells how far a light skin shifts from its colour under the reference (CIE 13.3)."),
         of: Side::r13,
         rule: OF_SAMPLE,
-        wins: ["shows", "light skin {better}"],
-        both: "shift light skin by about the same amount",
+        topic: later!("light skin"),
+        wins: skin_wins,
+        same: skin_same,
     },
     Purpose {
         key: "reds",
-        title: "Strong reds",
+        title: later!("Strong reds"),
         figure: "R9",
         unit: "",
         digits: 0,
-        why: "R9 tells how far a strong red shifts from its colour under the reference (CIE 13.3).",
+        why: later!("R9 tells how far a strong red shifts from its colour under the reference (CIE 13.3)."),
         of: Side::r9,
         rule: OF_SAMPLE,
-        wins: ["shows", "strong reds {better}"],
-        both: "shift strong reds by about the same amount",
+        topic: later!("strong reds"),
+        wins: reds_wins,
+        same: reds_same,
     },
     Purpose {
         key: "reading",
-        title: "Reading",
+        title: later!("Reading"),
         figure: "Ra",
         unit: "",
         digits: 0,
-        why: "EN 12464-1 asks for an Ra of at least 80 where people read and write.",
+        why: later!("EN 12464-1 asks for an Ra of at least 80 where people read and write."),
         of: Side::ra,
         rule: Rule::Border {
             border: 80.0,
             same: 5.0,
         },
-        wins: ["", "the Ra of 80 that EN 12464-1 asks for at desks"],
-        both: "the Ra of 80 that EN 12464-1 asks for at desks",
+        topic: later!("reading"),
+        wins: reading_wins,
+        same: reading_same,
     },
     Purpose {
         key: "evening",
-        title: "Evening",
+        title: later!("Evening"),
         figure: MELANOPIC,
         unit: "",
         digits: 2,
-        why: "Melanopic light keeps people awake; Brown et al. (2022) advise at most 10 lx of it \
-              before bed.",
+        why: later!("Melanopic light keeps people awake; Brown et al. (2022) advise at most 10 lx of it \
+              before bed."),
         of: Side::melanopic,
         rule: Rule::Ratio {
             same: 1.1,
             much: 2.0,
             is_less_better: true,
         },
-        wins: ["suits", "the evening {better} at the same lux"],
-        both: "suit the evening about equally well at the same lux",
+        topic: later!("evening"),
+        wins: evening_wins,
+        same: evening_same,
     },
     Purpose {
         key: "day",
-        title: "Day",
+        title: later!("Day"),
         figure: MELANOPIC,
         unit: "",
         digits: 2,
-        why: "Melanopic light keeps people awake; Brown et al. (2022) advise at least 250 lx of it \
-              by day.",
+        why: later!("Melanopic light keeps people awake; Brown et al. (2022) advise at least 250 lx of it \
+              by day."),
         of: Side::melanopic,
         rule: Rule::Ratio {
             same: 1.1,
             much: 2.0,
             is_less_better: false,
         },
-        wins: ["suits", "the day {better} at the same lux"],
-        both: "suit the day about equally well at the same lux",
+        topic: later!("day"),
+        wins: day_wins,
+        same: day_same,
     },
     Purpose {
         key: "night",
-        title: "Dark streets",
-        figure: "S/P ratio",
+        title: later!("Dark streets"),
+        figure: later!("S/P ratio"),
         unit: "",
         digits: 2,
-        why: "Eyes that are used to the dark see by their rods, and the S/P ratio counts light as \
-              rods do.",
+        why: later!("Eyes that are used to the dark see by their rods, and the S/P ratio counts light as \
+              rods do."),
         of: Side::sp_ratio,
         rule: Rule::Ratio {
             same: 1.1,
             much: 2.0,
             is_less_better: false,
         },
-        wins: [
-            "gives",
-            "eyes that are used to the dark {more} light at the same lux",
-        ],
-        both: "give eyes that are used to the dark about the same light at the same lux",
+        topic: later!("dark streets"),
+        wins: night_wins,
+        same: night_same,
     },
     Purpose {
         key: "energy",
-        title: "Energy",
+        title: later!("Energy"),
         figure: "",
         unit: "lm/W",
         digits: 0,
-        why: "Luminous efficacy of radiation is the light in a watt that leaves the lamp, not in a \
-              watt that it takes from the mains.",
+        why: later!("Luminous efficacy of radiation is the light in a watt that leaves the lamp, not in a \
+              watt that it takes from the mains."),
         of: Side::efficacy,
         rule: Rule::Ratio {
             same: 1.03,
             much: f64::INFINITY,
             is_less_better: false,
         },
-        wins: ["gives", "{more} light per watt of radiation"],
-        both: "give about the same light per watt of radiation",
+        topic: later!("energy"),
+        wins: energy_wins,
+        same: energy_same,
     },
     Purpose {
         key: "plants",
-        title: "Plants",
+        title: later!("Plants"),
         figure: "",
         unit: "µmol/J",
         digits: 2,
-        why: "Photons of 400-700 nm drive photosynthesis; they are counted in each joule of \
-              radiation.",
+        why: later!("Photons of 400-700 nm drive photosynthesis; they are counted in each joule of \
+              radiation."),
         of: Side::photon_efficacy,
         rule: Rule::Ratio {
             same: 1.03,
             much: f64::INFINITY,
             is_less_better: false,
         },
-        wins: ["gives", "plants {more} photons per watt of radiation"],
-        both: "give plants about the same photons per watt of radiation",
+        topic: later!("plants"),
+        wins: plants_wins,
+        same: plants_same,
     },
     Purpose {
         key: "cameras",
-        title: "Cameras",
+        title: later!("Cameras"),
         figure: "SSI",
         unit: "",
         digits: 0,
-        why: "SSI tells how like its reference a light is to any camera (SMPTE ST 2122); a low \
-              value promises nothing.",
+        why: later!("SSI tells how like its reference a light is to any camera (SMPTE ST 2122); a low \
+              value promises nothing."),
         of: Side::ssi,
         rule: Rule::Points {
             same: 5.0,
             much: 20.0,
             least: 70.0,
         },
-        wins: ["serves", "cameras {better}"],
-        both: "serve cameras about equally well",
+        topic: later!("cameras"),
+        wins: cameras_wins,
+        same: cameras_same,
     },
 ];
+
+/// How much better the better light is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Win {
+    pub is_much: bool,
+    /// Larger over smaller figure; may be infinite.
+    pub ratio: f64,
+}
+
+/// What is said of the better light, behind its name.
+#[derive(Clone, Debug)]
+pub(super) struct Predicate {
+    /// Which verb it has: behind another one of the same verb `again` is said.
+    pub verb: &'static str,
+    pub whole: String,
+    pub again: String,
+}
+
+impl Predicate {
+    pub(super) fn new(
+        verb: &'static str,
+        [whole, again]: [impl Into<String>; 2],
+    ) -> Self {
+        Self {
+            verb,
+            whole: whole.into(),
+            again: again.into(),
+        }
+    }
+}
+
+/// How much more one gives.
+enum More {
+    /// Per cent more.
+    Share(String),
+    /// So many times as much.
+    Times(String),
+    Far,
+}
+
+impl Win {
+    fn more(self) -> More {
+        match self.ratio {
+            r if r < 2.0 => More::Share(fixed(100.0 * (r - 1.0), 0)),
+            r if r < 100.0 => More::Times(fixed(r, 1)),
+            _ => More::Far,
+        }
+    }
+}
+
+fn colours_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("shows colours much better"), said!("colours much better")],
+        false => [said!("shows colours better"), said!("colours better")],
+    };
+    Predicate::new("shows", words)
+}
+
+fn skin_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("shows light skin much better"), said!("light skin much better")],
+        false => [said!("shows light skin better"), said!("light skin better")],
+    };
+    Predicate::new("shows", words)
+}
+
+fn reds_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("shows strong reds much better"), said!("strong reds much better")],
+        false => [said!("shows strong reds better"), said!("strong reds better")],
+    };
+    Predicate::new("shows", words)
+}
+
+fn evening_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("suits the evening much better at the same lux"), said!("the evening much better at the same lux")],
+        false => [said!("suits the evening better at the same lux"), said!("the evening better at the same lux")],
+    };
+    Predicate::new("suits", words)
+}
+
+fn day_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("suits the day much better at the same lux"), said!("the day much better at the same lux")],
+        false => [said!("suits the day better at the same lux"), said!("the day better at the same lux")],
+    };
+    Predicate::new("suits", words)
+}
+
+fn cameras_wins(win: Win) -> Predicate {
+    let words = match win.is_much {
+        true => [said!("serves cameras much better"), said!("cameras much better")],
+        false => [said!("serves cameras better"), said!("cameras better")],
+    };
+    Predicate::new("serves", words)
+}
+
+fn night_wins(win: Win) -> Predicate {
+    let words = match win.more() {
+        More::Share(share) => [
+            tr!("gives eyes that are used to the dark {share} % more light at the same lux", share),
+            tr!("eyes that are used to the dark {share} % more light at the same lux", share),
+        ],
+        More::Times(times) => [
+            tr!("gives eyes that are used to the dark {times} times the light at the same lux", times),
+            tr!("eyes that are used to the dark {times} times the light at the same lux", times),
+        ],
+        More::Far => [
+            said!("gives eyes that are used to the dark far more light at the same lux").to_owned(),
+            said!("eyes that are used to the dark far more light at the same lux").to_owned(),
+        ],
+    };
+    Predicate::new("gives", words)
+}
+
+fn energy_wins(win: Win) -> Predicate {
+    let words = match win.more() {
+        More::Share(share) => [
+            tr!("gives {share} % more light per watt of radiation", share),
+            tr!("{share} % more light per watt of radiation", share),
+        ],
+        More::Times(times) => [
+            tr!("gives {times} times the light per watt of radiation", times),
+            tr!("{times} times the light per watt of radiation", times),
+        ],
+        More::Far => [
+            said!("gives far more light per watt of radiation").to_owned(),
+            said!("far more light per watt of radiation").to_owned(),
+        ],
+    };
+    Predicate::new("gives", words)
+}
+
+fn plants_wins(win: Win) -> Predicate {
+    let words = match win.more() {
+        More::Share(share) => [
+            tr!("gives plants {share} % more photons per watt of radiation", share),
+            tr!("plants {share} % more photons per watt of radiation", share),
+        ],
+        More::Times(times) => [
+            tr!("gives plants {times} times the photons per watt of radiation", times),
+            tr!("plants {times} times the photons per watt of radiation", times),
+        ],
+        More::Far => [
+            said!("gives plants far more photons per watt of radiation").to_owned(),
+            said!("plants far more photons per watt of radiation").to_owned(),
+        ],
+    };
+    Predicate::new("gives", words)
+}
+
+fn reading_wins(_: Win) -> Predicate {
+    let words = said!("reaches the Ra of 80 that EN 12464-1 asks for at desks");
+    Predicate::new("reaches", [words, words])
+}
+
+fn colours_same(figures: &str) -> String {
+    tr!("Both shift colours by about the same amount {figures}.", figures)
+}
+
+fn skin_same(figures: &str) -> String {
+    tr!("Both shift light skin by about the same amount {figures}.", figures)
+}
+
+fn reds_same(figures: &str) -> String {
+    tr!("Both shift strong reds by about the same amount {figures}.", figures)
+}
+
+fn evening_same(figures: &str) -> String {
+    tr!("Both suit the evening about equally well at the same lux {figures}.", figures)
+}
+
+fn day_same(figures: &str) -> String {
+    tr!("Both suit the day about equally well at the same lux {figures}.", figures)
+}
+
+fn night_same(figures: &str) -> String {
+    tr!("Both give eyes that are used to the dark about the same light at the same lux {figures}.", figures)
+}
+
+fn energy_same(figures: &str) -> String {
+    tr!("Both give about the same light per watt of radiation {figures}.", figures)
+}
+
+fn plants_same(figures: &str) -> String {
+    tr!("Both give plants about the same photons per watt of radiation {figures}.", figures)
+}
+
+fn cameras_same(figures: &str) -> String {
+    tr!("Both serve cameras about equally well {figures}.", figures)
+}
+
+/// Reading has a border, which lights reach or miss.
+fn reading_same(figures: &str) -> String {
+    reading_both(figures, true)
+}
+
+/// Both reach what reading asks for, or both miss it.
+pub(super) fn reading_both(figures: &str, reach: bool) -> String {
+    match reach {
+        true => tr!(
+            "Both reach the Ra of 80 that EN 12464-1 asks for at desks {figures}.",
+            figures
+        ),
+        false => tr!(
+            "Both miss the Ra of 80 that EN 12464-1 asks for at desks {figures}.",
+            figures
+        ),
+    }
+}
+
+/// What is said of the light that comes nearer to what reading asks for.
+pub(super) fn reading_nearer() -> Predicate {
+    let words = said!(
+        "comes nearer to the Ra of 80 that EN 12464-1 asks for at desks, but misses it"
+    );
+    Predicate::new("comes nearer", [words, words])
+}

@@ -1,5 +1,6 @@
 //! One of two lights that are compared, and the figures that are compared.
 
+use crate::languages::fixed;
 use crate::{
     app::{
         quality_report::light_of,
@@ -65,7 +66,8 @@ impl Side {
 
     /// TM-30's mean fidelity.
     pub(super) fn rf(&self) -> Result<f64, String> {
-        let rf = self.known("Rf", self.figures.fidelity.as_ref().map(|found| found.rf))?;
+        let rf = self.figures.fidelity.as_ref().map(|found| found.rf);
+        let rf = self.known(rf, |light, why| has_no(light, "Rf", why))?;
         self.white().map(|()| rf)
     }
 
@@ -88,26 +90,33 @@ impl Side {
     pub(super) fn ssi(&self) -> Result<f64, String> {
         let own = self.figures.similarity.as_ref();
         let own = own.and_then(|found| found.of_cct.as_ref());
-        let ssi = self.known("SSI", own.map(|(_, value)| *value))?;
+        let ssi = own.map(|(_, value)| *value);
+        let ssi = self.known(ssi, |light, why| has_no(light, "SSI", why))?;
         self.white().map(|()| ssi)
     }
 
     /// The melanopic ratio to daylight.
     pub(super) fn melanopic(&self) -> Result<f64, String> {
         let found = self.figures.alpha_opic.as_ref();
-        self.known("melanopic DER", found.map(|found| found.melanopic_der()))
+        self.known(found.map(|found| found.melanopic_der()), |light, why| {
+            tr!("{light} has no melanopic DER ({why})", light, why)
+        })
     }
 
     /// The ratio of scotopic to photopic light.
     pub(super) fn sp_ratio(&self) -> Result<f64, String> {
         let found = self.figures.single(&SP_RATIO);
-        self.known("S/P ratio", found.as_ref().copied())
+        self.known(found.as_ref().copied(), |light, why| {
+            tr!("{light} has no S/P ratio ({why})", light, why)
+        })
     }
 
     /// Luminous efficacy of the radiation in the range of both lights, lm/W.
     pub(super) fn efficacy(&self) -> Result<f64, String> {
         let found = luminous_efficacy(&self.in_range());
-        self.known("luminous efficacy", found.as_ref().copied())
+        self.known(found.as_ref().copied(), |light, why| {
+            tr!("{light} has no luminous efficacy ({why})", light, why)
+        })
     }
 
     /// Photons of 400-700 nm of the radiation in the range of both lights, µmol/J.
@@ -115,7 +124,9 @@ impl Side {
         let light = self.in_range();
         let found = photons_per_100_lx(&light)
             .and_then(|photons| Ok(photons.ppfd / 100.0 * luminous_efficacy(&light)?));
-        self.known("number of photons", found.as_ref().copied())
+        self.known(found.as_ref().copied(), |light, why| {
+            tr!("{light} has no number of photons ({why})", light, why)
+        })
     }
 
     fn in_range(&self) -> Light {
@@ -127,13 +138,16 @@ impl Side {
 
     /// A figure of CRI, where the standard vouches for it.
     fn rendered(&self, figure: &str, of: impl Fn(&Rendering) -> f64) -> Result<f64, String> {
-        let found = self.known(figure, self.figures.rendering.as_ref())?;
+        let rendering = self.figures.rendering.as_ref();
+        let found = self.known(rendering, |light, why| has_no(light, figure, why))?;
         self.white()?;
         if found.is_too_far() {
-            return Err(format!(
-                "No {figure}: too far from white. CIE 13.3 does not hold for {}, whose colour is \
-                 {:.4} from its reference in CIE 1960 uv",
-                self.name, found.distance
+            return Err(tr!(
+                "No {figure}: too far from white. CIE 13.3 does not hold for {light}, whose colour is \
+                 {distance} from its reference in CIE 1960 uv",
+                figure,
+                light = self.name,
+                distance = fixed(found.distance, 4)
             ));
         }
         Ok(of(found))
@@ -143,13 +157,23 @@ impl Side {
     fn white(&self) -> Result<(), String> {
         match &self.figures.cct {
             Ok(cct) if whiteness(*cct) == Whiteness::Coloured => {
-                Err(format!("{} is a coloured light", self.name))
+                Err(tr!("{light} is a coloured light", light = self.name))
             }
             _ => Ok(()),
         }
     }
 
-    fn known<T>(&self, figure: &str, value: Result<T, &NoFigure>) -> Result<T, String> {
-        value.map_err(|why| format!("{} has no {figure} ({why})", self.name))
+    /// A value, or a sentence why the light has none.
+    fn known<T>(
+        &self,
+        value: Result<T, &NoFigure>,
+        none: impl FnOnce(&str, &NoFigure) -> String,
+    ) -> Result<T, String> {
+        value.map_err(|why| none(&self.name, why))
     }
+}
+
+/// A light without a figure that is a symbol.
+fn has_no(light: &str, figure: &str, why: &NoFigure) -> String {
+    tr!("{light} has no {figure} ({why})", light, figure, why)
 }

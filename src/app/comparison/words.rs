@@ -8,7 +8,7 @@ use crate::app::quality_report::table_of_two;
 /// The summary, a sentence for each purpose, the figures of both lights and what is to be known.
 pub fn text(compared: &Compared) -> String {
     let [a, b] = &compared.sides;
-    let mut out = format!("{} against {}\n\n{}\n\n", a.name, b.name, compared.summary);
+    let mut out = tr!("{a} against {b}\n\n{summary}\n\n", a = a.name, b = b.name, summary = compared.summary);
     let titles = compared.better.iter().map(|better| better.purpose.title);
     let width = titles.map(|title| title.chars().count()).max().unwrap_or(0);
     // Writing to a String cannot fail.

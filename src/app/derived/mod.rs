@@ -10,6 +10,7 @@ pub use colour::{Colour, ColourComparison};
 pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
 
+use crate::languages::fixed;
 use crate::{
     color::{Adaptation, Observer, Xyz},
     io::many::{many, numbers},
@@ -92,24 +93,26 @@ pub(super) fn less(values: &[f64], others: &[f64]) -> Vec<f64> {
 
 /// What is said of a table that lies beside the range.
 pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
-    format!(
-        "Nothing was measured in {}-{} nm: the table covers {}-{} nm.",
-        band.min_nm(),
-        band.max_nm(),
-        short(first_nm),
-        short(last_nm)
+        tr!(
+        "Nothing was measured in {from}-{to} nm: the table covers {first}-{last} nm.",
+        from = short(band.min_nm()),
+        to = short(band.max_nm()),
+        first = short(first_nm),
+        last = short(last_nm)
     )
 }
 
 /// What is said of a composite that is shown as it is.
 pub fn as_given_words(given: &Composite) -> String {
-    format!(
-        "Shown as the composite that it is: its own {} on {}-{} nm, {} among them; nothing was \
-         analysed.",
-        numbers(given.numbers()),
-        given.band().min_nm(),
-        given.band().max_nm(),
-        many(given.lines().len(), "line", "lines")
+        tr!(
+        "Shown as the composite that it is: its own {numbers} on {from}-{to} nm, {n} line among \
+         them; nothing was analysed."
+            | "Shown as the composite that it is: its own {numbers} on {from}-{to} nm, {n} lines \
+               among them; nothing was analysed."
+            % given.lines().len(),
+        numbers = numbers(given.numbers()),
+        from = short(given.band().min_nm()),
+        to = short(given.band().max_nm())
     )
 }
 
@@ -172,9 +175,9 @@ impl Derived {
     /// be brought to a height of 1.
     pub fn why_no_errors(&self) -> &'static str {
         if self.measured.iter().all(|value| *value == 0.0) {
-            "The spectrum is zero over the whole range."
+            said!("The spectrum is zero over the whole range.")
         } else {
-            "The spectrum's values are too small to compute with: none reaches 1e-308."
+            said!("The spectrum's values are too small to compute with: none reaches 1e-308.")
         }
     }
 
@@ -228,10 +231,14 @@ impl Derived {
     fn missing_visible(&self) -> Option<String> {
         let (min, max) = (self.band.min_nm(), self.band.max_nm());
         let (first, last) = (Band::VISIBLE.min_nm(), Band::VISIBLE.max_nm());
-        let below = (min > first).then(|| format!("{first}-{}", min.min(last)));
-        let above = (max < last).then(|| format!("{}-{last}", max.max(first)));
+                let range = |ends: [f64; 2]| {
+            let [from, to] = ends.map(short);
+            format!("{from}-{to}")
+        };
+        let below = (min > first).then(|| range([first, min.min(last)]));
+        let above = (max < last).then(|| range([max.max(first), last]));
         match (below, above) {
-            (Some(below), Some(above)) => Some(format!("{below} and {above}")),
+            (Some(below), Some(above)) => Some(tr!("{below} and {above}", below, above)),
             (below, above) => below.or(above),
         }
     }
@@ -246,60 +253,61 @@ impl Derived {
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
         warnings.extend(self.why_no_colour(question, is_beside));
         if question.power_outside > 0.5 && !is_beside {
-            warnings.push(format!(
-                "{:.1} % of the light's power is outside {}-{} nm.",
-                100.0 * question.power_outside,
-                self.band.min_nm(),
-                self.band.max_nm()
+                        warnings.push(tr!(
+                "{share} % of the light's power is outside {from}-{to} nm.",
+                share = fixed(100.0 * question.power_outside, 1),
+                from = short(self.band.min_nm()),
+                to = short(self.band.max_nm())
             ));
         }
         if settings.order > settings.effective_order() {
-            warnings.push(format!(
-                "Order cut to {}: the range has one point per nm, which carries no more.",
-                settings.effective_order()
+                        warnings.push(tr!(
+                "Order cut to {order}: the range has one point per nm, which carries no more.",
+                order = settings.effective_order()
             ));
         }
         warnings.extend(self.why_not_exact().map(str::to_owned));
         if let Some(missing) = self.missing_visible() {
             let share = 100.0 * self.colour.missing_luminance;
             warnings.push(if share > 100.0 * WORTH_SAYING {
-                format!(
-                    "The range leaves out {missing} nm of the visible, {share:.1} % of the \
-                     light's luminance."
-                )
+                tr!("The range leaves out {missing} nm of the visible, {share} % of the \
+                     light's luminance.", missing, share = fixed(share, 1))
             } else {
-                format!("The range leaves out {missing} nm of the visible.")
+                tr!("The range leaves out {missing} nm of the visible.", missing)
             });
         }
         warnings.extend(self.observer_ends(settings.observer));
         warnings.extend(question.more_than_a_fraction());
         if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
-            let outside = if question.is_light {
-                "the light is taken for zero"
-            } else {
-                "its end values are used"
-            };
-            warnings.push(format!(
-                "Measured from {} to {} nm; beyond, {outside}.",
-                short(first_nm),
-                short(last_nm)
-            ));
+                        let [first, last] = question.table_nm.map(short);
+            warnings.push(match question.is_light {
+                true => tr!(
+                    "Measured from {first} to {last} nm; beyond, the light is taken for zero.",
+                    first,
+                    last
+                ),
+                false => tr!(
+                    "Measured from {first} to {last} nm; beyond, its end values are used.",
+                    first,
+                    last
+                ),
+            });
         }
         if let Some(colour) = self.colour.exact
             && self.colour.model.is_some()
             && !colour.swatch.in_gamut
         {
-            warnings.push(format!(
-                "This screen cannot show the colour exactly: {}.",
-                colour.swatch.mapping.words()
+            warnings.push(tr!(
+                "This screen cannot show the colour exactly: {how}.",
+                how = colour.swatch.mapping.words()
             ));
         }
         if let Some(lowest) = self.figures[Measure::Lowest]
             && lowest < -WORTH_SAYING
         {
-            warnings.push(format!(
-                "The waves dip below zero, to {:.1} % of the peak.",
-                100.0 * lowest
+                        warnings.push(tr!(
+                "The waves dip below zero, to {lowest} % of the peak.",
+                lowest = fixed(100.0 * lowest, 1)
             ));
         }
         warnings
@@ -313,8 +321,11 @@ impl Derived {
             f64::from(first) > self.band.min_nm() || f64::from(last) < self.band.max_nm();
         (is_short && !observer.is_shipped()).then(|| {
             let title = observer.title();
-            format!(
-                "The observer {title} is known from {first} to {last} nm: beyond, nothing counts."
+                        tr!(
+                "The observer {title} is known from {first} to {last} nm: beyond, nothing counts.",
+                title,
+                first,
+                last
             )
         })
     }
@@ -324,16 +335,17 @@ impl Derived {
         if is_beside {
             let mut said = nothing_measured(self.band, question.table_nm);
             if !question.is_light {
-                said += " What is shown is its nearest value, held.";
+                                said += " ";
+                said += said!("What is shown is its nearest value, held.");
             }
             return Some(said);
         }
         let said = if !self.has_errors() {
             self.why_no_errors()
         } else if self.colour.exact.is_some() && self.colour.model.is_none() {
-            "The model's X, Y, Z are not all positive: it has no colour to compare."
+            said!("The model's X, Y, Z are not all positive: it has no colour to compare.")
         } else if self.colour.exact.is_none() {
-            "No visible light in this range (X, Y, Z are not positive): there is no colour."
+            said!("No visible light in this range (X, Y, Z are not positive): there is no colour.")
         } else {
             return None;
         };
@@ -343,10 +355,10 @@ impl Derived {
     fn why_not_exact(&self) -> Option<&'static str> {
         match self.exactness? {
             Exactness::TooFewNumbers => {
-                Some("Colour-exact needs order 1 or more: plain least squares used.")
+                Some(said!("Colour-exact needs order 1 or more: plain least squares used."))
             }
             Exactness::IllConditioned { .. } => {
-                Some("This range does not tell X, Y and Z apart: plain least squares used.")
+                Some(said!("This range does not tell X, Y and Z apart: plain least squares used."))
             }
             Exactness::Exact { .. } => None,
         }
@@ -358,15 +370,16 @@ impl Question<'_> {
         let top = self.measured.iter().copied().fold(0.0, f64::max);
         (!self.is_light && top > LARGEST_FRACTION).then(|| {
             // What was divided already is asked about no more.
-            let question = if self.is_divided {
-                "Per cent was taken out already: noise, or more light than fell on it?"
+                        let question = if self.is_divided {
+                said!("Per cent was taken out already: noise, or more light than fell on it?")
             } else {
-                "Are they per cent, or a light?"
+                said!("Are they per cent, or a light?")
             };
-            format!(
-                "Values reach {}: a reflectance is a fraction up to 1. {question}",
-                short(top)
-            )
+            let reach = tr!(
+                "Values reach {top}: a reflectance is a fraction up to 1.",
+                top = short(top)
+            );
+            format!("{reach} {question}")
         })
     }
 }

@@ -181,7 +181,7 @@ impl ColourSheet {
         }
         let seen: Vec<Seen> = asked.iter().map(|(_, asked)| asked.seen()).collect();
         let smoothest = Recovered::new(Method::Smoothest, &seen)
-            .map_err(|why| format!("There is no such surface: {why}."))?;
+            .map_err(|why| tr!("There is no such surface: {why}.", why))?;
         let fourier = Recovered::new(from.coefficients(), &seen).map_err(|why| why.to_string());
         let lines = match table_of(document, &from.lamp) {
             Some(lamp) => {
@@ -237,7 +237,7 @@ fn asked(given: &Given, key: &str, document: &Document) -> Result<(String, Asked
     let measured = surface.as_ref().map(|entry| &entry.spectrum.samples);
     match Asked::new(given, &light, measured) {
         Ok(asked) => Ok((name, asked)),
-        Err(why) => Err(format!("Not under {name}: {why}.")),
+        Err(why) => Err(tr!("Not under {name}: {why}.", name, why)),
     }
 }
 
@@ -247,7 +247,7 @@ fn surface_of(given: &Given, document: &Document) -> Result<Option<Arc<Entry>>, 
 }
 
 fn missing(key: &str) -> String {
-    format!("The library has no {key} any more: choose another.")
+        tr!("The library has no {key} any more: choose another.", key)
 }
 
 fn under(

@@ -1,5 +1,6 @@
 //! A colour and the spectra that have it, in words.
 
+use crate::languages::fixed;
 use super::colour::ColourSheet;
 use crate::design::recover::{Method, NODES, Recovered, node_nm};
 
@@ -10,19 +11,28 @@ impl ColourSheet {
     /// The result in a sentence.
     pub fn sentence(&self) -> String {
         let lights: Vec<&str> = self.seen.iter().map(|seen| seen.light.as_str()).collect();
-        let light = &lights.join(" and ");
+                let light = &and(&lights);
         let are_two = lights.len() > 1;
         if let Some(nearest) = &self.smoothest.nearest {
             let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
             let (off, visible) = (most(&nearest.delta_e_ab), most(&nearest.delta_e));
-            let these = match are_two {
-                true => "these colours under",
-                false => "this colour under",
+                        let (off, visible) = (fixed(off, 1), fixed(visible, 1));
+            return match are_two {
+                true => tr!(
+                    "No surface has these colours under {lights}: the nearest by ΔE*ab that one can \
+                     have is {off} ΔE*ab off ({visible} ΔE₀₀), and is what is drawn.",
+                    lights = light,
+                    off,
+                    visible
+                ),
+                false => tr!(
+                    "No surface has this colour under {light}: the nearest by ΔE*ab that one can \
+                     have is {off} ΔE*ab off ({visible} ΔE₀₀), and is what is drawn.",
+                    light,
+                    off,
+                    visible
+                ),
             };
-            return format!(
-                "No surface has {these} {light}: the nearest by ΔE*ab that one can have is \
-                 {off:.1} ΔE*ab off ({visible:.1} ΔE₀₀), and is what is drawn."
-            );
         }
         let first = match (&self.surface, &self.told) {
             (Some(entry), Some(told)) => {
@@ -30,37 +40,70 @@ impl ColourSheet {
                 let worst = looks
                     .filter_map(|(under, off)| Some((&under.light, (*off)?)))
                     .max_by(|a, b| a.1.total_cmp(&b.1));
-                let worst = worst.map_or_else(String::new, |(light, off)| {
-                    format!(", and under {light} it looks {off:.1} ΔE₀₀ off")
-                });
-                let its = if are_two { "its colours" } else { "its colour" };
-                format!(
-                    "From {its} under {light}, {} comes out {:.3} off (rms){worst}.",
-                    entry.name(),
-                    told.rms
-                )
+                                let (surface, rms) = (entry.name(), fixed(told.rms, 3));
+                match (are_two, worst) {
+                    (true, Some((other, off))) => tr!(
+                        "From its colours under {lights}, {surface} comes out {rms} off (rms), and \
+                         under {other} it looks {off} ΔE₀₀ off.",
+                        lights = light,
+                        surface,
+                        rms,
+                        other,
+                        off = fixed(off, 1)
+                    ),
+                    (true, None) => tr!(
+                        "From its colours under {lights}, {surface} comes out {rms} off (rms).",
+                        lights = light,
+                        surface,
+                        rms
+                    ),
+                    (false, Some((other, off))) => tr!(
+                        "From its colour under {light}, {surface} comes out {rms} off (rms), and \
+                         under {other} it looks {off} ΔE₀₀ off.",
+                        light,
+                        surface,
+                        rms,
+                        other,
+                        off = fixed(off, 1)
+                    ),
+                    (false, None) => tr!(
+                        "From its colour under {light}, {surface} comes out {rms} off (rms).",
+                        light,
+                        surface,
+                        rms
+                    ),
+                }
             }
             _ => {
                 let [low, high] = self.smoothest.reflectance.extent().map(|v| 100.0 * v);
                 let each = self.seen.iter().map(|seen| match are_two {
-                    true => format!("{} under {}", seen.swatch.hex(), seen.light),
+                                        true => tr!(
+                        "{colour} under {light}",
+                        colour = seen.swatch.hex(),
+                        light = seen.light
+                    ),
                     false => seen.swatch.hex(),
                 });
                 let each: Vec<String> = each.collect();
-                format!(
-                    "The smoothest surface of {} reflects {low:.0} to {high:.0} %.",
-                    each.join(" and ")
+                                let each: Vec<&str> = each.iter().map(String::as_str).collect();
+                tr!(
+                    "The smoothest surface of {colours} reflects {low} to {high} %.",
+                    colours = and(&each),
+                    low = fixed(low, 0),
+                    high = fixed(high, 0)
                 )
             }
         };
-        let spread = self.spread().map_or_else(String::new, |spread| {
-            let per_cent = 100.0 * spread;
-            format!(
-                " At a single wavelength, two surfaces that match it under {light} can differ by \
-                 {per_cent:.0} points of reflectance (averaged over wavelength)."
-            )
-        });
-        format!("{first}{spread}")
+                let Some(spread) = self.spread() else {
+            return first;
+        };
+        let spread = tr!(
+            "At a single wavelength, two surfaces that match it under {light} can differ by \
+             {points} points of reflectance (averaged over wavelength).",
+            light,
+            points = fixed(100.0 * spread, 0)
+        );
+        format!("{first} {spread}")
     }
 
     /// Mean over the wavelengths of the distance of the least and the greatest reflectance: no two
@@ -81,18 +124,18 @@ impl ColourSheet {
     pub fn facts(&self) -> Vec<[String; 4]> {
         let row = |method: Method, range: String, round: Option<f64>, condition: Option<f64>| {
             let number = |value: Option<f64>, digits: usize| {
-                value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+                                value.map_or_else(|| "-".to_owned(), |value| fixed(value, digits))
             };
             let name = method_name(method).to_owned();
             [name, range, number(round, 2), number(condition, 0)]
         };
         let of_surface = |method: Method, found: &Recovered| {
             let [low, high] = found.reflectance.extent();
-            let inside = match found.is_inside_0_1() {
-                true => "",
-                false => " \u{25b2} no surface is so",
+                        let (low, high) = (fixed(low, 2), fixed(high, 2));
+            let range = match found.is_inside_0_1() {
+                true => tr!("{low} to {high}", low, high),
+                false => tr!("{low} to {high} \u{25b2} no surface is so", low, high),
             };
-            let range = format!("{low:.2} to {high:.2}{inside}");
             let round = Some(found.round_trip_delta_e);
             row(method, range, round, found.condition_number)
         };
@@ -111,8 +154,8 @@ impl ColourSheet {
                 let lines: f64 = found.lines.iter().map(|line| line.weight).sum();
                 let share = 100.0 * lines / (lines + power);
                 let told = match &found.nearest {
-                    Some(_) => "\u{25b2} only near it".to_owned(),
-                    None => format!("{share:.0} % in the lines"),
+                                        Some(_) => said!("\u{25b2} only near it").to_owned(),
+                    None => tr!("{share} % in the lines", share = fixed(share, 0)),
                 };
                 let condition = Some(found.condition_number);
                 row(
@@ -135,9 +178,9 @@ impl ColourSheet {
 /// What a method is called on the page.
 pub fn method_name(method: Method) -> &'static str {
     match method {
-        Method::Smoothest => "Smoothest surface",
-        Method::Fourier3 => "Three coefficients",
-        Method::Fourier6 => "Six coefficients",
-        Method::Lines => "Light of lines",
+        Method::Smoothest => said!("Smoothest surface"),
+        Method::Fourier3 => said!("Three coefficients"),
+        Method::Fourier6 => said!("Six coefficients"),
+        Method::Lines => said!("Light of lines"),
     }
 }

@@ -1,6 +1,7 @@
 //! What the mixing desk shows: each channel as a light, the figures of the mixture, the table of
 //! channels.
 
+use crate::languages::{fixed, said, with_sign};
 use super::{
     light,
     mix::{FULL, Mix, MixChannel},
@@ -168,10 +169,10 @@ impl Desk {
     pub fn sentence(&self) -> String {
         match &self.figures {
             None if self.mix.channels.is_empty() => {
-                "Nothing is mixed yet: add a channel.".to_owned()
+                said!("Nothing is mixed yet: add a channel.").to_owned()
             }
             Some(figures) if figures.xyz.is_some() => words(figures, self.r9()),
-            _ => "Nothing shines: move a fader up.".to_owned(),
+            _ => said!("Nothing shines: move a fader up.").to_owned(),
         }
     }
 
@@ -182,26 +183,33 @@ impl Desk {
             return self.sentence();
         };
         let what = tint::light_words(cct);
-        let light = format!("{what} of {}", tint::kelvin_words(cct.kelvin));
+                let light = tr!(
+            "{what} of {temperature}",
+            what,
+            temperature = tint::kelvin_words(cct.kelvin)
+        );
         let colours = match figures.ra {
             None => return format!("{light}."),
-            Some(ra) if ra >= GOOD_RA[0] => "colours look right",
-            Some(ra) if ra >= GOOD_RA[1] => "colours look almost right",
-            Some(ra) if ra >= 60.0 => "colours look visibly wrong",
-            Some(_) => "colours look wrong",
+            Some(ra) if ra >= GOOD_RA[0] => said!("colours look right"),
+            Some(ra) if ra >= GOOD_RA[1] => said!("colours look almost right"),
+            Some(ra) if ra >= 60.0 => said!("colours look visibly wrong"),
+            Some(_) => said!("colours look wrong"),
         };
         let samples = self.rendering.iter().flat_map(|found| &found.samples);
         let indices = samples.map(|sample| sample.index).enumerate();
         let worst = indices.min_by(|a, b| a.1.total_cmp(&b.1));
         let worst = worst.filter(|(_, index)| *index < GOOD_R9[1]);
-        let worst = worst.map_or_else(String::new, |(at, index)| {
-            format!(
-                ", {} most of all (R{} {index:.0})",
-                RENDERING_NAMES[at],
-                at + 1
-            )
-        });
-        format!("{light}: {colours}{worst}.")
+                match worst {
+            None => format!("{light}: {colours}."),
+            Some((at, index)) => tr!(
+                "{light}: {colours}, {worst} most of all (R{number} {index}).",
+                light,
+                colours,
+                worst = said(RENDERING_NAMES[at]),
+                number = at + 1,
+                index = fixed(index, 0)
+            ),
+        }
     }
 
     /// The figures that a light is chosen by, with a word where one is good or low.
@@ -212,9 +220,9 @@ impl Desk {
         let whole = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.0}"));
         let word = |value: Option<f64>, [good, fair]: [f64; 2]| match value {
             None => "",
-            Some(value) if value >= good => "good",
-            Some(value) if value >= fair => "fair",
-            Some(_) => "low",
+                        Some(value) if value >= good => later!("good"),
+            Some(value) if value >= fair => later!("fair"),
+            Some(_) => later!("low"),
         };
         let (cct, r9) = (figures.cct, self.r9());
         let rf_rg = format!("{}, {}", whole(figures.rf), whole(figures.rg));
@@ -226,41 +234,41 @@ impl Desk {
         };
         vec![
             figure(
-                "White",
+                said!("White"),
                 cct.map_or("–".to_owned(), |cct| tint::kelvin_words(cct.kelvin)),
-                cct.map_or("coloured", tint::tint),
-                "Correlated colour temperature.",
+                                cct.map_or(said!("coloured"), tint::tint),
+                said!("Correlated colour temperature."),
             ),
             figure(
-                "Duv",
-                cct.map_or("–".to_owned(), |cct| format!("{:+.4}", cct.duv)),
+                                "Duv",
+                cct.map_or("–".to_owned(), |cct| with_sign(format!("{:+.4}", cct.duv))),
                 "",
-                "Distance from the line of blackbodies: above 0 greenish, below 0 pinkish.",
+                said!("Distance from the line of blackbodies: above 0 greenish, below 0 pinkish."),
             ),
             figure(
-                "Light",
-                format!("{:.0} lm/W", figures.ler),
+                said!("Light"),
+                                format!("{:.0} lm/W", figures.ler),
                 "",
-                "Luminous efficacy: lumens for each watt of radiation, not of electric power.",
+                said!("Luminous efficacy: lumens for each watt of radiation, not of electric power."),
             ),
             figure(
                 "CRI Ra",
                 whole(figures.ra),
                 word(figures.ra, GOOD_RA),
-                "Colour rendering index, a mean over 8 pale test colours: good from 90 on.",
+                said!("Colour rendering index, a mean over 8 pale test colours: good from 90 on."),
             ),
             figure(
                 "CRI R9",
                 whole(r9),
                 word(r9, GOOD_R9),
-                "Rendering of a strong red: good from 50 on.",
+                said!("Rendering of a strong red: good from 50 on."),
             ),
             figure(
                 "TM-30 Rf, Rg",
                 rf_rg,
                 word(figures.rf, GOOD_RF),
-                "Fidelity over 99 surfaces, good from 85 on, and gamut: above 100 colours are more \
-                 vivid than under the reference.",
+                said!("Fidelity over 99 surfaces, good from 85 on, and gamut: above 100 colours are more \
+                 vivid than under the reference."),
             ),
         ]
     }
@@ -309,26 +317,34 @@ impl Strip {
 
 /// "3000 K and white ...: Ra 92, ..." of the figures of a light.
 pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
-    let per_watt = format!("{:.0} lm/W", figures.ler);
-    let melanopic = format!("melanopic DER {:.2}", figures.melanopic_der);
+        let per_watt = format!("{:.0} lm/W", figures.ler);
+    let melanopic = tr!(
+        "melanopic DER {value}",
+        value = fixed(figures.melanopic_der, 2)
+    );
     let Some(cct) = figures.cct else {
-        return format!("A coloured light without a colour temperature: {per_watt}, {melanopic}.");
+                return tr!(
+            "A coloured light without a colour temperature: {per_watt}, {melanopic}.",
+            per_watt,
+            melanopic
+        );
     };
     let what = tint::light_words(cct);
     let index = |name: &str, value: Option<f64>| value.map(|v| format!("{name} {v:.0}"));
     let indices = [
-        index("Ra", figures.ra),
+                index("Ra", figures.ra),
         index("R9", r9),
         index("Rf", figures.rf),
         index("Rg", figures.rg),
     ];
     let mut all: Vec<String> = indices.into_iter().flatten().collect();
     all.extend([per_watt, melanopic]);
-    format!(
-        "{what} of {} (Duv {:+.4}): {}.",
-        tint::kelvin_words(cct.kelvin),
-        cct.duv,
-        all.join(", ")
+        tr!(
+        "{what} of {temperature} (Duv {duv}): {figures}.",
+        what,
+        temperature = tint::kelvin_words(cct.kelvin),
+        duv = with_sign(format!("{:+.4}", cct.duv)),
+        figures = all.join(", ")
     )
 }
 

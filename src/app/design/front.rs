@@ -1,6 +1,7 @@
 //! What lines at free places are found to reach at best: the trade between efficacy and colour
 //! rendering, as a job.
 
+use crate::languages::fixed;
 use super::{
     mix::{FULL, Mix, MixChannel},
     wish::MixWish,
@@ -36,7 +37,7 @@ impl Question for FrontProblem {
     fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
         match front(self, SampleTables::shipped(), progress) {
             Ok(found) => Some(Ok(found?)),
-            Err(why) => Some(Err(format!("There is no front: {why}."))),
+            Err(why) => Some(Err(tr!("There is no front: {why}.", why))),
         }
     }
 }
@@ -44,7 +45,7 @@ impl Question for FrontProblem {
 /// The name of the figure that efficacy is traded for.
 pub fn figure_name(against: Against) -> &'static str {
     match against {
-        Against::Rf => "Rf",
+                Against::Rf => "Rf",
         Against::Ra => "Ra",
     }
 }
@@ -66,7 +67,13 @@ pub fn on_desk(point: &FrontPoint) -> Mix {
 /// The lines of a point in words.
 pub fn lines_words(point: &FrontPoint) -> String {
     let lines = point.lines.iter();
-    let lines = lines.map(|l| format!("{:.1} nm {:.0} %", l.at_nm, 100.0 * l.share_of_power));
+        let lines = lines.map(|l| {
+        format!(
+            "{} nm {:.0} %",
+            fixed(l.at_nm, 1),
+            100.0 * l.share_of_power
+        )
+    });
     lines.collect::<Vec<_>>().join(", ")
 }
 
@@ -76,17 +83,22 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontProblem) -> String {
     let told = |point: &FrontPoint| {
         let value = ask.against.of(&point.figures);
         let value = value.map_or_else(|| "-".to_owned(), |value| format!("{value:.0}"));
-        format!("{name} {value} at {:.0} lm/W", point.figures.ler)
+                tr!(
+            "{figure} {value} at {efficacy} lm/W",
+            figure = name,
+            value,
+            efficacy = fixed(point.figures.ler, 0)
+        )
     };
     match (points.first(), points.last()) {
-        (Some(first), Some(last)) => format!(
-            "The best found with {} lines of this colour: {} ({}) to {}.",
-            ask.lines,
-            told(first),
-            lines_words(first),
-            told(last)
+                (Some(first), Some(last)) => tr!(
+            "The best found with {count} lines of this colour: {first} ({lines}) to {last}.",
+            count = ask.lines,
+            first = told(first),
+            lines = lines_words(first),
+            last = told(last)
         ),
-        _ => "No lines make this colour.".to_owned(),
+        _ => said!("No lines make this colour.").to_owned(),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::languages::fixed;
 use crate::{
     app::{
         design::mix::title,
@@ -66,7 +67,7 @@ pub(crate) fn spectrum(
     let both = channels.iter().zip(powers);
     let shine: Vec<(&Channel, f64)> = both.map(|(c, power)| (c, power * c.power())).collect();
     let whole: f64 = shine.iter().map(|(_, power)| power).sum();
-    let share = |power: &f64| format!("{:.1} %", 100.0 * power / whole);
+        let share = |power: &f64| format!("{} %", fixed(100.0 * power / whole, 1));
     let parts: Vec<String> = shine
         .iter()
         .filter(|(_, power)| *power > 0.0)
@@ -74,26 +75,42 @@ pub(crate) fn spectrum(
             format!("{} {}", title(&channel.spec.source, name_of), share(power))
         })
         .collect();
-    let name = match &parts[..] {
-        [] => return None,
-        [one] => format!("Mixture of {one}"),
-        many => format!("Mixture of {} channels", many.len()),
+        let gels: Vec<String> = gels.iter().map(|gel| gel.words(name_of)).collect();
+    let gels = gels
+        .into_iter()
+        .reduce(|before, last| tr!("{before} and {last}", before, last));
+    let name = match (&parts[..], &gels) {
+        ([], _) => return None,
+        ([one], None) => tr!("Mixture of {channel}", channel = one),
+        ([one], Some(gels)) => tr!("Mixture of {channel} behind {gels}", channel = one, gels),
+        (all, None) => tr!("Mixture of {count} channels", count = all.len()),
+        (all, Some(gels)) => tr!(
+            "Mixture of {count} channels behind {gels}",
+            count = all.len(),
+            gels
+        ),
     };
-    let behind: Vec<String> = gels.iter().map(|gel| gel.words(name_of)).collect();
-    let behind = match &behind[..] {
-        [] => String::new(),
-        gels => format!(" behind {}", gels.join(" and ")),
+    let shares = parts.join(", ");
+    let note = match &gels {
+        None => tr!(
+            "Mixed, shares of power: {shares}. A line without width is split over its two \
+             neighbouring nm.",
+            shares
+        ),
+        Some(gels) => tr!(
+            "Mixed behind {gels}, shares of power: {shares}. A line without width is split over its \
+             two neighbouring nm.",
+            gels,
+            shares
+        ),
     };
     Some(NamedSpectrum {
-        name: name + &behind,
+                name,
         kind: Kind::Light,
         unit: "relative".to_owned(),
         scale: 1.0,
         samples: Sampled::even(f64::from(FIRST_NM), 1.0, values).ok()?,
-        notes: vec![format!(
-            "Mixed{behind}, shares of power: {}. A line without width is split over its two neighbouring nm.",
-            parts.join(", ")
-        )],
+                notes: vec![note],
         source: "mixed channels".to_owned(),
     })
 }

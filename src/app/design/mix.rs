@@ -1,5 +1,6 @@
 //! The mixing desk: channels with their faders, part of the document, so that undo reaches it.
 
+use crate::languages::fixed;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -66,10 +67,10 @@ impl MixChannel {
 /// What a channel is made of, in words; of a light of the library its name.
 pub fn title(source: &Source, name_of: NameOf<'_>) -> String {
     match source {
-        Source::Line { at_nm } => format!("line {} nm", short(*at_nm)),
-        Source::Gauss { centre_nm, .. } => format!("LED {} nm", short(*centre_nm)),
-        Source::Blackbody { kelvin } => format!("blackbody {kelvin:.0} K"),
-        Source::Daylight { kelvin } => format!("daylight {kelvin:.0} K"),
+                Source::Line { at_nm } => tr!("line {place} nm", place = short(*at_nm)),
+        Source::Gauss { centre_nm, .. } => tr!("LED {place} nm", place = short(*centre_nm)),
+        Source::Blackbody { kelvin } => tr!("blackbody {kelvin} K", kelvin = fixed(kelvin, 0)),
+        Source::Daylight { kelvin } => tr!("daylight {kelvin} K", kelvin = fixed(kelvin, 0)),
         Source::Named(key) => name_of(key),
     }
 }
@@ -211,34 +212,38 @@ impl Mix {
             return Some(self.changed_gel(before, name_of));
         }
         if is.len() != was.len() {
-            let more = if is.len() > was.len() {
-                "more"
+                        let words = if is.len() > was.len() {
+                said!("more channels to mix")
             } else {
-                "fewer"
+                said!("fewer channels to mix")
             };
-            return Some(format!("{more} channels to mix"));
+            return Some(words.to_owned());
         }
         let changed: Vec<_> = is.iter().zip(was).filter(|(a, b)| a != b).collect();
         let [(now, then)] = changed[..] else {
             let group = changed.first().map_or(0, |(now, _)| now.group);
             let is_group = group > 0 && changed.iter().all(|(now, _)| now.group == group);
             return Some(match is_group {
-                true => format!("fader of group {group}"),
-                false => "faders of the mixture".to_owned(),
+                true => tr!("fader of group {group}", group),
+                false => said!("faders of the mixture").to_owned(),
             });
         };
         let name = now.title(name_of);
         Some(if now.source != then.source {
-            format!("{} to {name}", then.title(name_of))
+                        tr!(
+                "{before} to {after}",
+                before = then.title(name_of),
+                after = name
+            )
         } else if now.level != then.level {
-            format!("fader of {name} to {:.0} %", now.level)
+            tr!("fader of {name} to {level} %", name, level = fixed(now.level, 0))
         } else if now.group != then.group {
             match now.group {
-                0 => format!("{name} in no group"),
-                group => format!("{name} in group {group}"),
+                0 => tr!("{name} in no group", name),
+                group => tr!("{name} in group {group}", name, group),
             }
         } else {
-            format!("a switch of {name}")
+            tr!("a switch of {name}", name)
         })
     }
 
@@ -249,10 +254,10 @@ impl Mix {
         let gone = was.iter().find(|gel| !is.iter().any(|b| b.key == gel.key));
         let other = is.iter().zip(was).find(|(a, b)| a != b);
         match (new, gone, other) {
-            (Some(gel), _, _) => format!("gel {} put on", gel.words(name_of)),
-            (None, Some(gel), _) => format!("gel {} taken off", gel.words(name_of)),
-            (None, None, Some((gel, _))) => format!("gel {}", gel.words(name_of)),
-            (None, None, None) => "gels of the mixture".to_owned(),
+                        (Some(gel), _, _) => tr!("gel {gel} put on", gel = gel.words(name_of)),
+            (None, Some(gel), _) => tr!("gel {gel} taken off", gel = gel.words(name_of)),
+            (None, None, Some((gel, _))) => tr!("gel {gel}", gel = gel.words(name_of)),
+            (None, None, None) => said!("gels of the mixture").to_owned(),
         }
     }
 }

@@ -16,17 +16,17 @@ const SEEN_NM: std::ops::RangeInclusive<f64> = 400.0..=710.0;
 
 /// Common lasers, nm in air.
 const LASERS: [(&str, f64); 11] = [
-    ("laser InGaN", 405.0),
-    ("laser He-Cd", 441.6),
-    ("laser InGaN", 450.0),
-    ("laser Ar+", 488.0),
-    ("laser Ar+", 514.5),
-    ("laser Nd:YAG, doubled", 532.0),
-    ("laser He-Ne", 543.5),
-    ("laser He-Ne", 594.1),
-    ("laser He-Ne", 632.8),
-    ("laser AlGaInP", 650.0),
-    ("laser ruby", 694.3),
+    (later!("laser InGaN"), 405.0),
+    (later!("laser He-Cd"), 441.6),
+    (later!("laser InGaN"), 450.0),
+    (later!("laser Ar+"), 488.0),
+    (later!("laser Ar+"), 514.5),
+    (later!("laser Nd:YAG, doubled"), 532.0),
+    (later!("laser He-Ne"), 543.5),
+    (later!("laser He-Ne"), 594.1),
+    (later!("laser He-Ne"), 632.8),
+    (later!("laser AlGaInP"), 650.0),
+    (later!("laser ruby"), 694.3),
 ];
 
 /// A line with its name.

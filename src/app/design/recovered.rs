@@ -103,14 +103,14 @@ pub(crate) fn spectrum(
     lines: &[f64],
 ) -> Result<NamedSpectrum, RecoverError> {
     let first = shown.first().ok_or(RecoverError::NotAColour)?;
-    let each = |shown: &Shown| format!("{} under {}", shown.colour, shown.lamp);
+    let each = |shown: &Shown| tr!("{colour} under {lamp}", colour = shown.colour, lamp = shown.lamp);
     let (kind, unit, samples, name, from) = match method {
         Method::Lines => {
             let found = line_light(&first.given, lines, &first.light, first.surface.as_ref())?;
             let samples = Sampled::even(BAND.min_nm(), 1.0, found.on_band())
                 .map_err(|_| RecoverError::NotAColour)?;
-            let name = format!("Light of lines, {}", first.colour);
-            let from = format!("{} and the glow of {}", first.colour, first.lamp);
+            let name = tr!("Light of lines, {colour}", colour = first.colour);
+            let from = tr!("{colour} and the glow of {lamp}", colour = first.colour, lamp = first.lamp);
             (Kind::Light, "relative", samples, name, from)
         }
         Method::Smoothest | Method::Fourier3 | Method::Fourier6 => {
@@ -120,7 +120,7 @@ pub(crate) fn spectrum(
             let seen: Vec<Seen> = asked.iter().map(Asked::seen).collect();
             let samples = Recovered::new(method, &seen)?.reflectance.sampled();
             let from = shown.iter().map(each).collect::<Vec<_>>().join(" and ");
-            let name = format!("Surface from {from}");
+            let name = tr!("Surface from {from}", from);
             (Kind::Reflectance, "fraction", samples, name, from)
         }
     };
@@ -130,7 +130,7 @@ pub(crate) fn spectrum(
         unit: unit.to_owned(),
         scale: 1.0,
         samples,
-        notes: vec![format!("Made from {from}: {}.", method.title())],
-        source: format!("made from {from}"),
+        notes: vec![tr!("Made from {from}: {title}.", from, title = method.title())],
+        source: tr!("made from {from}", from),
     })
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::desk::Desk;
+use crate::languages::{fixed, said};
 use crate::{
     app::{document::Document, library::Library, made::EVERYDAY_SET},
     color::{
@@ -33,19 +34,19 @@ impl DeskSurfaces {
     /// Its name on the page.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Test => "Test colours",
-            Self::Everyday => "Everyday surfaces",
-            Self::Patches => "Surfaces of Look",
+            Self::Test => said!("Test colours"),
+            Self::Everyday => said!("Everyday surfaces"),
+            Self::Patches => said!("Surfaces of Look"),
         }
     }
 
     /// What it is, a sentence.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Test => "The fifteen test colours of the colour rendering index.",
-            Self::Everyday => "Surfaces from every day, by the names that people use.",
+            Self::Test => said!("The fifteen test colours of the colour rendering index."),
+            Self::Everyday => said!("Surfaces from every day, by the names that people use."),
             Self::Patches => {
-                "The set of surfaces that is chosen on the page Spectrum: at first 24."
+                said!("The set of surfaces that is chosen on the page Spectrum: at first 24.")
             }
         }
     }
@@ -121,7 +122,7 @@ fn test_colours(found: &Rendering, second: Option<&Rendering>, whites: [Xyz; 2])
         .map(|(i, (sample, name))| {
             let index = format!("R{} {:.0}", i + 1, sample.index);
             let other = second.map_or(sample.reference, |second| second.samples[i].test);
-            one(name, [sample.test, other], whites, Some(index))
+            one(said(name), [sample.test, other], whites, Some(index))
         })
         .collect()
 }
@@ -134,7 +135,7 @@ fn one(name: &str, xyz: [Xyz; 2], whites: [Xyz; 2], index: Option<String>) -> Be
     Beside {
         test: seen(0),
         other: seen(1),
-        words: format!("{index}{name}, ΔE₀₀ {apart:.1}"),
+                words: format!("{index}{name}, ΔE₀₀ {}", fixed(apart, 1)),
     }
 }
 

@@ -1,5 +1,6 @@
 //! What is wished of a mixture, and the faders for it.
 
+use crate::languages::{fixed, with_sign};
 use super::{
     desk::{Desk, words},
     mix::Mix,
@@ -27,7 +28,7 @@ impl MixWish {
     /// # Errors
     /// Why there is none, a sentence.
     pub fn target(&self, document: &Document) -> Result<Target, String> {
-        let refused = |why: MixError| format!("No such colour: {why}.");
+        let refused = |why: MixError| tr!("No such colour: {why}.", why);
         let Some(key) = &self.light else {
             return match self.xy {
                 Some(xy) => Target::of_xy(xy),
@@ -36,7 +37,7 @@ impl MixWish {
             .map_err(refused);
         };
         let table = table_of(document, key);
-        let table = table.ok_or_else(|| format!("The library has no light {key} any more."))?;
+        let table = table.ok_or_else(|| tr!("The library has no light {key} any more.", key))?;
         Target::of_light(&table).map_err(refused)
     }
 
@@ -65,9 +66,13 @@ impl MixWish {
     pub fn colour_words(&self, document: &Document) -> String {
         match (&self.light, self.xy) {
             (Some(key), _) => document.name_of(key),
-            (None, Some([x, y])) => format!("x {x:.4}, y {y:.4}"),
+            (None, Some([x, y])) => format!("x {}, y {}", fixed(x, 4), fixed(y, 4)),
             (None, None) if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
-            (None, None) => format!("{:.0} K, Duv {:+.4}", self.kelvin, self.duv),
+                        (None, None) => format!(
+                "{} K, Duv {}",
+                fixed(self.kelvin, 0),
+                with_sign(format!("{:+.4}", self.duv))
+            ),
         }
     }
 }
@@ -110,7 +115,7 @@ impl Solved {
             })
             .collect();
         let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(|_| {
-            "There is no channel to solve with: add some on the page Mix.".to_owned()
+            said!("There is no channel to solve with: add some on the page Mix.").to_owned()
         })?;
         let alike = wish.light.as_ref().filter(|_| wish.alike);
         let alike = alike.and_then(|key| table_of(document, key));
@@ -220,14 +225,22 @@ impl Answered {
 fn told(asked: &str, solution: &Solution) -> String {
     let found = words(&solution.figures, None);
     match (solution.reached, solution.delta_uv_to_target) {
-        (true, _) => format!("These channels can make the colour of {asked} exactly. {found}"),
-        (false, Some(off)) if off < 1e-6 => {
-            let why = &solution.why;
-            format!("The colour of {asked} is met, the floors are not: {why}. {found}")
-        }
-        _ => format!(
-            "The colour of {asked} is not met: {}. {found}",
-            solution.why
+                (true, _) => tr!(
+            "These channels can make the colour of {asked} exactly. {found}",
+            asked,
+            found
+        ),
+        (false, Some(off)) if off < 1e-6 => tr!(
+            "The colour of {asked} is met, the floors are not: {why}. {found}",
+            asked,
+            why = solution.why,
+            found
+        ),
+        _ => tr!(
+            "The colour of {asked} is not met: {why}. {found}",
+            asked,
+            why = solution.why,
+            found
         ),
     }
 }

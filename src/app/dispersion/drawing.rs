@@ -2,6 +2,7 @@
 //! others to its right. One exact ray for each line, the smooth part between its neighbours; what
 //! is totally reflected on its way through the glass.
 
+use crate::languages::fixed;
 use super::{strip::smooth_is_seen, words::Line};
 use crate::{
     app::{chart::Rgb, pages::Handle},
@@ -365,7 +366,7 @@ impl Stand<'_> {
             rgb: Swatch::of_light(light.white(observer)).rgb8.0,
             grips: vec![
                 grip(Handle::Apex, prism[2], format!("{apex_deg:.1}\u{b0}")),
-                grip(Handle::Slit, jaws[1][1], format!("{slit_mm:.2} mm")),
+                grip(Handle::Slit, jaws[1][1], tr!("{slit_mm} mm", slit_mm = fixed(slit_mm, 2))),
             ],
             smooth,
             lines: line_rays(&self, lines).map(turned).collect(),

@@ -1,6 +1,7 @@
 //! A drop of water in section: a fan of rays, and where it meets the drop at one place a ray of each
 //! line.
 
+use crate::languages::fixed;
 use super::{
     strip::smooth_is_seen,
     words::{Line, nm},
@@ -96,21 +97,17 @@ fn words(material: &Material, lines: &[Line], impact: f64, reflections: u32) -> 
     };
     let told = |at_nm: f64| {
         let (angle, _) = leaves(at_nm)?;
-        Some(format!("{} at {angle:.1}\u{b0}", nm(at_nm)))
+        Some(tr!("{nm} at {angle}\u{b0}", nm = nm(at_nm), angle = fixed(angle, 1)))
     };
     let mut places: Vec<String> = ends.iter().filter_map(|at_nm| told(*at_nm)).collect();
     places.dedup();
     let share = leaves(ends[0]).map_or(0.0, |(_, left)| 100.0 * left);
-    format!(
-        "Met at {impact:.2} of its radius, after {} inside: {} from the point opposite the sun, \
-         {share:.1} % of what fell there.",
-        if reflections == 1 {
-            "one reflection"
+    tr!("Met at {impact} of its radius, after {reflections} inside: {join} from the point opposite the sun, \
+         {share} % of what fell there.", impact = fixed(impact, 2), reflections = if reflections == 1 {
+            said!("one reflection")
         } else {
-            "two reflections"
-        },
-        places.join(", "),
-    )
+            said!("two reflections")
+        }, join = places.join(", "), share = fixed(share, 1))
 }
 
 /// A ray's way through a drop: it comes from the left above the middle and goes round clockwise.

@@ -3,6 +3,7 @@
 //! A film holds transport and no light. A light that changes is summed anew over the film that is
 //! there; only places of spikes that it has no rays for yet are traced.
 
+use crate::languages::fixed;
 use std::sync::Arc;
 
 use web_time::Instant;
@@ -87,7 +88,7 @@ impl GemScene {
             _ => None,
         });
         if let Some(why) = opaque {
-            return Err(capitalised(&format!("{why}; the last gem stays.")));
+            return Err(capitalised(&tr!("{why}; the last gem stays.", why)));
         }
         let scene = Self {
             material,
@@ -111,7 +112,7 @@ impl GemScene {
     /// Why there is no such gem, a sentence.
     pub fn studio(&self) -> Result<Studio, String> {
         let said =
-            |why: &dyn std::fmt::Display| capitalised(&format!("{why}; the last gem stays."));
+            |why: &dyn std::fmt::Display| capitalised(&tr!("{why}; the last gem stays.", why));
         let solid = self.cut.solid().map_err(|why| said(&why))?;
         let usual = View::A;
         let off = |k: usize| usual.from[k] - usual.towards[k];
@@ -163,7 +164,7 @@ impl GemMemory {
                 let entry = app.entry(&self.filter);
                 let filter = entry.filter(|entry| entry.kind() == Kind::Transmittance);
                 let filter = filter.ok_or_else(|| {
-                    "The filter that colours the gem is not open: choose another one.".to_owned()
+                    said!("The filter that colours the gem is not open: choose another one.").to_owned()
                 })?;
                 Absorption::of_filter(&filter.spectrum.samples, self.thickness).map_err(said)
             }
@@ -314,7 +315,7 @@ impl Question for NoiseAsk {
 pub fn noise_words(noise: &Noise) -> String {
     let delta = noise.delta_e_on_gem.unwrap_or(noise.delta_e_median);
     let seen = Seen::of(delta).seen();
-    format!("the noise, \u{394}E\u{2080}\u{2080} {delta:.1} in blocks of 8 x 8 pixels, is {seen}")
+    tr!("the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is {seen}", delta = fixed(delta, 1), seen)
 }
 
 /// What the page shows, a sentence.
@@ -322,10 +323,7 @@ pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
     let gem = capitalised(&memory.made_of.in_words(app));
     let figures = memory.made_of.material(app).ok().and_then(|m| m.abbe());
     let bends = figures.map_or_else(String::new, |figures| {
-        format!(
-            " bends violet more than red (n differs by {:.3})",
-            figures.fire
-        )
+        tr!(" bends violet more than red (n differs by {fire})", fire = fixed(figures.fire, 3))
     });
     let one_colour = |light: &&Light| is_of_one_colour(light);
     let (flat, colourful): (Vec<&Light>, Vec<&Light>) = lights.iter().partition(one_colour);
@@ -335,13 +333,9 @@ pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
         listed(&names)
     };
     match (&colourful[..], &flat[..]) {
-        ([], flat) => format!("{gem}{bends}, but {} has one colour: no fire.", names(flat)),
-        (colourful, []) => format!("{gem}{bends}: it splits {} into fire.", names(colourful)),
-        (colourful, flat) => format!(
-            "{gem}{bends}: it splits {} into fire, but not {}, which has one colour.",
-            names(colourful),
-            names(flat)
-        ),
+        ([], flat) => tr!("{gem}{bends}, but {names} has one colour: no fire.", gem, bends, names = names(flat)),
+        (colourful, []) => tr!("{gem}{bends}: it splits {names} into fire.", gem, bends, names = names(colourful)),
+        (colourful, flat) => tr!("{gem}{bends}: it splits {names} into fire, but not {names_2}, which has one colour.", gem, bends, names = names(colourful), names_2 = names(flat)),
     }
 }
 
@@ -374,51 +368,33 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
     let mut facts = Vec::new();
     let unseen = light.share_unseen();
     if unseen >= 0.0005 {
-        facts.push(format!(
-            "{:.1} % of the power of {} lies outside 380 to 780 nm and is not traced.",
-            100.0 * unseen,
-            light.name
-        ));
+        facts.push(tr!("{unseen} % of the power of {light} lies outside 380 to 780 nm and is not traced.", unseen = fixed(100.0 * unseen, 1), light = light.name));
     }
     let missing = film.film.missing_lines(light).len();
     if missing > 0 {
-        facts.push(format!(
-            "{} of {} stand in coarse wavelengths until their rays are traced.",
-            many(missing, "line", "lines"),
-            light.name
-        ));
+        facts.push(tr!("{many} of {light} stand in coarse wavelengths until their rays are traced.", many = many(missing, "line", "lines"), light = light.name));
     }
     let more = light.seen_spikes().count().saturating_sub(MOST_LINES);
     if more > 0 {
-        facts.push(format!(
-            "The {MOST_LINES} strongest lines of {} have rays of their own; {} in coarse \
-             wavelengths.",
-            light.name,
-            many(more, "other stands", "others stand")
-        ));
+        facts.push(tr!("The {MOST_LINES} strongest lines of {light} have rays of their own; {many} in coarse \
+             wavelengths.", MOST_LINES, light = light.name, many = many(more, said!("other stands"), said!("others stand"))));
     }
     if film.film.studio().absorption().is_floored() {
         facts.push(
-            "Where the filter lets less than a millionth through, a millionth is reckoned with."
+            said!("Where the filter lets less than a millionth through, a millionth is reckoned with.")
                 .into(),
         );
     }
     let cut = film.film.traced().cut;
     if cut > 0 {
-        facts.push(format!(
-            "{} at the last of 512 faces.",
-            many(cut as usize, "ray was cut", "rays were cut")
-        ));
+        facts.push(tr!("{many} at the last of 512 faces.", many = many(cut as usize, said!("ray was cut"), said!("rays were cut"))));
     }
     let material = film.film.studio().material();
     if (380..=780).any(|nm| material.is_extrapolated(f64::from(nm)))
         && let Some([from, to]) = material.published_nm
     {
-        facts.push(format!(
-            "The index of {} was published for {from:.0} to {to:.0} nm; beyond them it is \
-             extrapolated.",
-            material.name
-        ));
+        facts.push(tr!("The index of {material} was published for {from} to {to} nm; beyond them it is \
+             extrapolated.", material = material.name, from = fixed(from, 0), to = fixed(to, 0)));
     }
     facts
 }

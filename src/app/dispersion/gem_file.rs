@@ -57,7 +57,7 @@ impl GemFile {
     /// A name made of gem and light.
     pub fn file_name(&self) -> String {
         let material = &self.film.0.film.studio().material().name;
-        let words = format!("{material} under {}", self.light.name);
+        let words = tr!("{material} under {light}", material, light = self.light.name);
         let letters = words.chars();
         let stem: String = letters
             .map(|c| if c.is_alphanumeric() { c } else { '-' })
@@ -75,7 +75,7 @@ impl GemFile {
             GemForm::Png => {
                 let shown = GemShown::of(&self.film.0, &self.light, self.look)?;
                 png([shown.size; 2], shown.pixels.as_flattened())
-                    .ok_or_else(|| "There is no picture.".to_owned())
+                    .ok_or_else(|| said!("There is no picture.").to_owned())
             }
             GemForm::Exr => gem_exr(film, &self.light, pass.scene.cut(), pass.rays)
                 .map_err(|why| format!("{why}.")),

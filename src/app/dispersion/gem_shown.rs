@@ -1,5 +1,6 @@
 //! A film under a light as the page shows it: which part of the light, how bright, to which eye.
 
+use crate::languages::fixed;
 use super::gem::GemFilm;
 use crate::{
     app::pages::LightPart,
@@ -37,13 +38,13 @@ impl GemShown {
     /// # Errors
     /// A sentence where the light has no such part.
     pub fn of(film: &GemFilm, light: &Light, look: GemLook) -> Result<Self, String> {
-        let missing = |what: &str| format!("{} has no {what}.", light.name);
+        let missing = |what: &str| tr!("{light} has no {what}.", light = light.name, what);
         let part = match look.part {
             LightPart::Whole => None,
             LightPart::Lines => Some(light.lines_alone().ok_or_else(|| missing("line"))?),
             LightPart::Smooth => {
                 let smooth = light.smooth_alone();
-                Some(smooth.ok_or_else(|| missing("smooth part"))?)
+                Some(smooth.ok_or_else(|| missing(said!("smooth part")))?)
             }
         };
         let whole = film.film.picture(light, look.observer);
@@ -53,7 +54,7 @@ impl GemShown {
         };
         let camera = Adaptation::None.words();
         let seen = match (look.adaptation, &adapted) {
-            (Adaptation::ToLight, None) => format!("{camera}: no eye adapts to so narrow a light"),
+            (Adaptation::ToLight, None) => tr!("{camera}: no eye adapts to so narrow a light", camera),
             (adaptation, _) => adaptation.words().to_owned(),
         };
         let whole = adapted.unwrap_or(whole);
@@ -70,11 +71,7 @@ impl GemShown {
                 picture.shown_with(gain)
             }
         };
-        let words = format!(
-            "{seen}; of the picture {:.1} % is brighter and {:.1} % purer than a screen can show",
-            100.0 * shown.share_too_bright,
-            100.0 * shown.share_outside
-        );
+        let words = tr!("{seen}; of the picture {share_too_bright} % is brighter and {share_outside} % purer than a screen can show", seen, share_too_bright = fixed(100.0 * shown.share_too_bright, 1), share_outside = fixed(100.0 * shown.share_outside, 1));
         Ok(Self {
             size: whole.size,
             pixels: shown.pixels,

@@ -70,14 +70,14 @@ impl Beside {
         };
         match self {
             Self::Nothing => None,
-            Self::Bulb => Some(black("A bulb, 2856 K", 2856.0)),
-            Self::Sun => Some(black("The sun, 5772 K", 5772.0)),
+            Self::Bulb => Some(black(said!("A bulb, 2856 K"), 2856.0)),
+            Self::Sun => Some(black(said!("The sun, 5772 K"), 5772.0)),
             Self::Overlaid => {
                 let document = app.document();
                 let mut beside = document.second.iter().chain(&document.overlays);
                 let light = beside.find(|entry| entry.kind() == Kind::Light);
                 Some(light.map_or_else(
-                    || Err("There is no second light yet: choose one with + Compare.".to_owned()),
+                    || Err(said!("There is no second light yet: choose one with + Compare.").to_owned()),
                     |entry| another_light(app, entry, sent),
                 ))
             }

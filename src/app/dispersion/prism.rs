@@ -1,5 +1,6 @@
 //! The bench as a person sees it: what it does in a sentence, its drawing, the screen, the lines.
 
+use crate::languages::{fixed, signed};
 use super::{
     drawing::BenchDrawing,
     lights::document_light,
@@ -111,7 +112,7 @@ impl PrismShown {
         };
         match bench.whole_screen(&light, COLUMNS) {
             Some(screen) => Self::found(app, memory, &light, bench, screen),
-            None => nothing("No light reaches the screen.".to_owned()),
+            None => nothing(said!("No light reaches the screen.").to_owned()),
         }
     }
 
@@ -129,16 +130,12 @@ impl PrismShown {
             Some(Limits {
                 smallest_incidence_deg: Some(smallest),
                 ..
-            }) => format!(
-                "Total reflection: no light leaves the second face. Let it meet the prism at more \
-                 than {smallest:.1}\u{b0}."
-            ),
+            }) => tr!("Total reflection: no light leaves the second face. Let it meet the prism at more \
+                 than {smallest}\u{b0}.", smallest = fixed(smallest, 1)),
             Some(Limits {
                 largest_apex_deg, ..
-            }) => format!(
-                "Total reflection: no light leaves the second face. Make the apex smaller than \
-                 {largest_apex_deg:.1}\u{b0}."
-            ),
+            }) => tr!("Total reflection: no light leaves the second face. Make the apex smaller than \
+                 {largest_apex_deg}\u{b0}.", largest_apex_deg = fixed(largest_apex_deg, 1)),
         };
         let is_reflected = why.reflected_beyond().is_some();
         Self {
@@ -238,16 +235,13 @@ fn notes(bench: &Bench, is_doubtful: bool) -> Vec<String> {
     let on_face = 0.5 * settings.slit_mm / bench.prism().incidence_deg().to_radians().cos();
     if on_face > settings.entry_mm {
         notes.push(
-            "The beam is wider than the prism: what passes beside its apex is counted as if the \
-             prism went on."
+            said!("The beam is wider than the prism: what passes beside its apex is counted as if the \
+             prism went on.")
                 .to_owned(),
         );
     }
     if is_doubtful {
-        notes.push(format!(
-            "Hatched: the index of {} outside the range it was published for.",
-            bench.material().name
-        ));
+        notes.push(tr!("Hatched: the index of {material} outside the range it was published for.", material = bench.material().name));
     }
     notes
 }
@@ -256,26 +250,12 @@ fn notes(bench: &Bench, is_doubtful: bool) -> Vec<String> {
 fn told(at: &Landing) -> String {
     let least = at
         .minimum_deviation_deg
-        .map_or_else(String::new, |least| format!(" (at least {least:.3}\u{b0})"));
-    format!(
-        "{:.1} nm: n {:.5}, turned by {:.3}\u{b0}{least}, {:+.4}\u{b0} a nm; {:.1} % pass; it lands \
-         at {:.2} mm, {:.3} mm wide; {}.",
-        at.at_nm,
-        at.n,
-        at.deviation_deg,
-        at.d_deviation_d_nm,
-        100.0 * at.transmittance,
-        at.x_mm,
-        at.width_mm,
-        told_apart(at).map_or_else(
-            || "no lines are told apart".to_owned(),
-            |apart| format!(
-                "lines {apart:.2} nm apart are told apart (resolving power {:.0}, by the {})",
-                at.resolving.power(),
-                at.resolving.limit()
-            )
-        ),
-    )
+        .map_or_else(String::new, |least| tr!(" (at least {least}\u{b0})", least = fixed(least, 3)));
+    tr!("{at_nm} nm: n {n}, turned by {deviation_deg}\u{b0}{least}, {d_deviation_d_nm}\u{b0} a nm; {transmittance} % pass; it lands \
+         at {x_mm} mm, {width_mm} mm wide; {limit}.", at_nm = fixed(at.at_nm, 1), n = fixed(at.n, 5), deviation_deg = fixed(at.deviation_deg, 3), least, d_deviation_d_nm = signed(at.d_deviation_d_nm, 4), transmittance = fixed(100.0 * at.transmittance, 1), x_mm = fixed(at.x_mm, 2), width_mm = fixed(at.width_mm, 3), limit = told_apart(at).map_or_else(
+            || said!("no lines are told apart").to_owned(),
+            |apart| tr!("lines {apart} nm apart are told apart (resolving power {power}, by the {limit})", apart = fixed(apart, 2), power = fixed(at.resolving.power(), 0), limit = at.resolving.limit())
+        ))
 }
 
 /// Two lines nearer than this run together, nm; `None` where the glass does not spread light.
@@ -328,31 +308,23 @@ fn sentence(
     let bent: Vec<f64> = (380..=780).filter_map(|nm| bends(f64::from(nm))).collect();
     let least = bent.iter().copied().fold(f64::INFINITY, f64::min);
     let most = bent.iter().copied().fold(0.0, f64::max);
-    let spreads = format!(
-        "A {:.0}\u{b0} prism of {glass} spreads {} over {:.1}\u{b0}",
-        bench.prism().apex_deg(),
-        light.name,
-        most - least,
-    );
+    let spreads = tr!("A {apex_deg}\u{b0} prism of {glass} spreads {light} over {least}\u{b0}", apex_deg = fixed(bench.prism().apex_deg(), 0), glass, light = light.name, least = fixed(most - least, 1));
     let seen: Vec<Landing> = landings
         .iter()
         .filter_map(|(_, landing)| *landing)
         .collect();
     let count = match seen.len() {
-        0 => return format!("{spreads}: no line, one smooth band."),
-        1 => return format!("{spreads}; its line of {} is one ray.", nm(seen[0].at_nm)),
+        0 => return tr!("{spreads}: no line, one smooth band.", spreads),
+        1 => return tr!("{spreads}; its line of {nm} is one ray.", spreads, nm = nm(seen[0].at_nm)),
         count => many(count, "line", "lines"),
     };
     let images: Vec<[f64; 2]> = seen.iter().map(|l| [l.x_mm, l.width_mm]).collect();
-    let pair = |i: usize| format!("{:.1} with {}", seen[i].at_nm, nm(seen[i + 1].at_nm));
+    let pair = |i: usize| tr!("{at_nm} with {nm}", at_nm = fixed(seen[i].at_nm, 1), nm = nm(seen[i + 1].at_nm));
     let together: Vec<String> = touching(&images).into_iter().map(pair).collect();
     match together.len() {
-        0 => format!("{spreads}; its {count} all stand apart."),
-        n if n + 1 == seen.len() => format!("{spreads}; its {count} all run together."),
-        _ => format!(
-            "{spreads}; of its {count} {} runs together, the others stand apart.",
-            listed(&together)
-        ),
+        0 => tr!("{spreads}; its {count} all stand apart.", spreads, count),
+        n if n + 1 == seen.len() => tr!("{spreads}; its {count} all run together.", spreads, count),
+        _ => tr!("{spreads}; of its {count} {listed} runs together, the others stand apart.", spreads, count, listed = listed(&together)),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The rainbow of a light: two bows, in which every line is a stripe of its own.
 
+use crate::languages::fixed;
 use super::{
     drop::DropDrawing,
     lights::document_light,
@@ -104,19 +105,19 @@ fn table(bows: &[(Line, Bows)]) -> Table {
         |secondary: bool| move |(_, bows): &&(Line, Bows)| rounded(angle(bows, secondary), 3, "-");
     let columns = Columns::<&(Line, Bows)>::default()
         .with("line", |(line, _)| cell(line.name.as_str()))
-        .titled("line", "The element, by all lines together.")
+        .titled("line", said!("The element, by all lines together."))
         .with("wavelength", |(line, _)| cell(nm(line.at_nm)))
-        .figures("wavelength", "In air.")
+        .figures("wavelength", said!("In air."))
         .with("n", |(_, bows)| rounded(bows.n, 5, "-"))
-        .figures("n", "Index of refraction of water there.")
+        .figures("n", said!("Index of refraction of water there."))
         .with("first_bow_deg", angle_of(false))
-        .figures("first bow \u{b0}", "After one reflection in the drop.")
+        .figures("first bow \u{b0}", said!("After one reflection in the drop."))
         .with("second_bow_deg", angle_of(true))
-        .figures("second bow \u{b0}", "After two reflections in the drop.")
+        .figures("second bow \u{b0}", said!("After two reflections in the drop."))
         .with("polarised_percent", |(_, bows)| {
             rounded(bows.primary.map(|bow| 100.0 * bow.polarisation()), 1, "-")
         })
-        .figures("polarised %", "Of the first bow's light.");
+        .figures(said!("polarised %"), said!("Of the first bow's light."));
     Table::new("", columns, bows)
 }
 
@@ -135,12 +136,8 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
     };
     if bows.is_empty() {
         // Violet and red where the eye still sees them well.
-        return format!(
-            "{name} makes a smooth rainbow from violet at {:.1}\u{b0} to red at {:.1}\u{b0}, and \
-             the second bow the other way round.",
-            at(420.0, false),
-            at(680.0, false),
-        );
+        return tr!("{name} makes a smooth rainbow from violet at {at}\u{b0} to red at {at_2}\u{b0}, and \
+             the second bow the other way round.", name, at = fixed(at(420.0, false), 1), at_2 = fixed(at(680.0, false), 1));
     }
     let width = if disc { SUN_DEG } else { 0.0 };
     let stripes = |secondary: bool| {
@@ -150,12 +147,7 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
             .collect();
         places.len() - touching(&places).len()
     };
-    format!(
-        "If {name} were the sun, its {} would show as {} in the first rainbow and {} in the second.",
-        many(bows.len(), "line", "lines"),
-        many(stripes(false), "stripe", "stripes"),
-        stripes(true),
-    )
+    tr!("If {name} were the sun, its {lines} would show as {stripes} in the first rainbow and {stripes_2} in the second.", name, lines = many(bows.len(), "line", "lines"), stripes = many(stripes(false), "stripe", "stripes"), stripes_2 = stripes(true))
 }
 
 #[cfg(test)]

@@ -20,8 +20,8 @@ impl Sent {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Measured => "as measured",
-            Self::Model => "as the model has it",
+            Self::Measured => said!("as measured"),
+            Self::Model => said!("as the model has it"),
         }
     }
 

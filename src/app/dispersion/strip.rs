@@ -1,5 +1,6 @@
 //! From the light in columns to the colours of a screen.
 
+use crate::languages::fixed;
 use super::sent::Sent;
 use crate::{
     app::chart::Rgb,
@@ -85,18 +86,15 @@ impl Colours {
         let mut said = Vec::new();
         if self.mixed > 0.0 {
             said.push(
-                "These colours are purer than a screen can show, so white is mixed in.".to_owned(),
+                said!("These colours are purer than a screen can show, so white is mixed in.").to_owned(),
             );
         }
         if self.too_bright > 0.0 {
-            said.push(format!(
-                "{:.0} % of it is brighter than the screen at this exposure.",
-                100.0 * self.too_bright
-            ));
+            said.push(tr!("{too_bright} % of it is brighter than the screen at this exposure.", too_bright = fixed(100.0 * self.too_bright, 0)));
         }
         // Beside a measured line so little may be left that it is below zero: that is no dark place.
         if self.below_zero && sent == Sent::Model {
-            said.push("The model is below zero in places: they are drawn black.".to_owned());
+            said.push(said!("The model is below zero in places: they are drawn black.").to_owned());
         }
         said.join(" ")
     }

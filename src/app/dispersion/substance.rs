@@ -1,6 +1,7 @@
 //! What a prism or a gem is made of: a material of the program, an index that was opened, or two
 //! numbers.
 
+use crate::languages::fixed;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -71,17 +72,17 @@ impl Substance {
         match self {
             Self::Shipped(stuff) => stuff.title().to_owned(),
             Self::Own { index } => app.entry(index).map_or_else(
-                || "an index that is not open".to_owned(),
+                || said!("an index that is not open").to_owned(),
                 |entry| material_name(&entry.spectrum).to_owned(),
             ),
-            Self::Numbers { .. } => "two numbers".to_owned(),
+            Self::Numbers { .. } => said!("two numbers").to_owned(),
         }
     }
 
     /// The same in a sentence: "diamond", "a glass of n 1.5168 and V 64.2".
     pub fn in_words(&self, app: &App) -> String {
         match self {
-            Self::Numbers { n_d, v_d } => format!("two numbers (n {n_d:.4}, V {v_d:.1})"),
+            Self::Numbers { n_d, v_d } => tr!("two numbers (n {n_d}, V {v_d})", n_d = fixed(n_d, 4), v_d = fixed(v_d, 1)),
             _ => {
                 let title = self.title(app);
                 title.split(',').next().unwrap_or_default().to_owned()
@@ -100,8 +101,8 @@ impl Substance {
             Self::Own { index } => {
                 let entry = app.entry(index).filter(|entry| is_index(&entry.spectrum));
                 let entry = entry.ok_or_else(|| {
-                    "The file of this material's index is not open: open it again, or choose \
-                     another material."
+                    said!("The file of this material's index is not open: open it again, or choose \
+                     another material.")
                         .to_owned()
                 })?;
                 let own = app.document().own.iter().map(|entry| &entry.spectrum);
@@ -134,7 +135,7 @@ pub fn is_index(spectrum: &NamedSpectrum) -> bool {
 /// "glass" of "glass n" and of "glass n by formula 2".
 fn stem_of(name: &str) -> Option<&str> {
     let before = |mark: &str| name.split_once(mark).map(|(stem, _)| stem);
-    before(" n by ").or_else(|| name.strip_suffix(" n"))
+    before(said!(" n by ")).or_else(|| name.strip_suffix(" n"))
 }
 
 /// What the curve is of: a column that is named "n" alone is of what its file is called after.

@@ -1,5 +1,6 @@
 //! Words that the three pages share.
 
+use crate::languages::fixed;
 use super::super::products::ModelledLight;
 use crate::{app::state::App, optics::Light};
 
@@ -42,7 +43,7 @@ pub(super) fn first_lines() -> (Light, Vec<Line>) {
 
 /// A wavelength with its unit.
 pub(super) fn nm(at_nm: f64) -> String {
-    format!("{at_nm:.1} nm")
+    tr!("{at_nm} nm", at_nm = fixed(at_nm, 1))
 }
 
 /// "a, b and c".
@@ -50,7 +51,7 @@ pub(super) fn listed(all: &[String]) -> String {
     match all {
         [] => String::new(),
         [one] => one.clone(),
-        [before @ .., last] => format!("{} and {last}", before.join(", ")),
+        [before @ .., last] => tr!("{join} and {last}", join = before.join(", "), last),
     }
 }
 

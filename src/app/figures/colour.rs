@@ -28,16 +28,16 @@ const fn row(
 const XYZ: Figure = number(
     "xyz",
     3,
-    "Tristimulus value of the observer in force; 100 is the Y of the measured light.",
+    later!("Tristimulus value of the observer in force; 100 is the Y of the measured light."),
 );
-const XY: Figure = number("xy", 4, "Chromaticity x, y, no unit.");
-const UV: Figure = number("uv", 4, "Chromaticity u′, v′ of CIE 1976, no unit.");
+const XY: Figure = number("xy", 4, later!("Chromaticity x, y, no unit."));
+const UV: Figure = number("uv", 4, later!("Chromaticity u′, v′ of CIE 1976, no unit."));
 const CCT: Figure = Figure {
     unit: Unit::KELVIN,
     ..number(
         "cct",
         0,
-        "Correlated colour temperature, K (Ohno 2013, CIE 1931).",
+        later!("Correlated colour temperature, K (Ohno 2013, CIE 1931)."),
     )
 };
 const DUV: Figure = Figure {
@@ -45,7 +45,7 @@ const DUV: Figure = Figure {
     ..number(
         "duv",
         4,
-        "Distance from the blackbody locus in CIE 1960 uv; above it is positive.",
+        later!("Distance from the blackbody locus in CIE 1960 uv; above it is positive."),
     )
 };
 

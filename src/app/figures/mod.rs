@@ -19,6 +19,7 @@ pub use model::SHARES;
 pub use quality::{OF_QUALITY, QualityFigure, TLCI, of_quantity};
 
 use super::numbers::{ROUNDING, fixed, hundredths, or_dash, significant};
+use crate::languages::{said, with_sign};
 
 /// The unit of a figure where it is shown; files have shares of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,12 +97,12 @@ impl Figure {
             // Adding zero turns -0 into 0.
             shown = (self.unit.factor * whole * value).round() / whole + 0.0;
         }
-        format!("{shown:+.digits$}{tail}")
+        with_sign(format!("{shown:+.digits$}")) + tail
     }
 
     /// A value as the report says it.
     pub fn say(&self, value: f64) -> String {
-        self.said.replace("{}", &self.written(value))
+        said(self.said).replace("{}", &self.written(value))
     }
 
     /// An error in three digits: `0.0123`, `12.3 %`, a dash where there is none.
@@ -116,7 +117,7 @@ impl Figure {
 
     /// Title and unit, for an axis.
     pub fn with_unit(&self) -> String {
-        format!("{}, {}", self.title, self.unit.sign)
+        format!("{}, {}", said(self.title), self.unit.sign)
     }
 }
 
@@ -124,7 +125,7 @@ impl Figure {
 pub fn brief(shown: f64, unit: Unit) -> String {
     let tail = unit.tail;
     if shown < SMALLEST {
-        format!("< {SMALLEST}{tail}")
+        format!("< {}{tail}", with_sign(SMALLEST.to_string()))
     } else {
         format!("{}{tail}", significant(shown, 3))
     }
@@ -137,7 +138,7 @@ pub fn in_column(shown: Option<f64>, unit: Unit) -> String {
         return format!("{}{}", hundredths(shown), unit.tail);
     }
     or_dash(shown, |shown| match shown {
-        v if v > 0.0 && v < 0.05 => "< 0.1 %".to_owned(),
+        v if v > 0.0 && v < 0.05 => format!("< {} %", fixed(0.1, 1)),
         v => format!("{} %", fixed(v, 1)),
     })
 }

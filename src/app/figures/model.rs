@@ -34,82 +34,93 @@ impl Measure {
         match self {
             Self::Own => delta_e(
                 "delta_e_own",
-                ["own colour", "own"],
-                "in its own colour",
-                "CIEDE2000 of the spectrum's own colour.",
+                [later!("own colour"), later!("own")],
+                later!("in its own colour"),
+                later!("CIEDE2000 of the spectrum's own colour."),
             ),
             Self::Patches => delta_e(
                 "delta_e_patches_mean",
-                ["mean of the surfaces", "surfaces"],
-                "on the surfaces (mean)",
-                "Mean CIEDE2000 of the surfaces under the light, products at 1 nm.",
+                [later!("mean of the surfaces"), later!("surfaces")],
+                later!("on the surfaces (mean)"),
+                later!("Mean CIEDE2000 of the surfaces under the light, products at 1 nm."),
             ),
             Self::PatchesWorst => delta_e(
                 "delta_e_patches_max",
-                ["worst surface", "worst"],
-                "on every surface",
-                "Largest CIEDE2000 of the surfaces under the light, products at 1 nm.",
+                [later!("worst surface"), later!("worst")],
+                later!("on every surface"),
+                later!("Largest CIEDE2000 of the surfaces under the light, products at 1 nm."),
             ),
             Self::Filters => delta_e(
                 "delta_e_filters",
-                ["narrow filters", "filters"],
-                "behind narrow filters (mean)",
-                "Mean CIEDE2000 behind Gaussian band-passes of 10 nm full width at 420, 430 ... \
-                 670 nm. The filter is exact; the exact light behind it is brought to Y = 50.",
+                [later!("narrow filters"), later!("filters")],
+                later!("behind narrow filters (mean)"),
+                later!(
+                    "Mean CIEDE2000 behind Gaussian band-passes of 10 nm full width at 420, 430 \
+                     ... 670 nm. The filter is exact; the exact light behind it is brought to Y = \
+                     50."
+                ),
             ),
             Self::Rms => Figure {
-                goal: "rms at 1 nm",
+                goal: later!("rms at 1 nm"),
                 ..share(
                     "relative_rms",
-                    ["rms at 1 nm", "rms 1 nm"],
-                    "; at 1 nm {} rms",
-                    "Root mean square of model minus measured over that of the spectrum, on the 1 \
-                     nm grid. A line of the model has no width: against a line of several nm, \
-                     lamps with broad lines show large numbers.",
+                    [later!("rms at 1 nm"), later!("rms 1 nm")],
+                    later!("; at 1 nm {} rms"),
+                    later!(
+                        "Root mean square of model minus measured over that of the spectrum, on \
+                         the 1 nm grid. A line of the model has no width: against a line of \
+                         several nm, lamps with broad lines show large numbers."
+                    ),
                 )
             },
             Self::RmsBlurred => Figure {
-                goal: "rms behind a 10 nm blur",
+                goal: later!("rms behind a 10 nm blur"),
                 ..share(
                     "relative_rms_10nm",
-                    ["rms behind 10 nm", "rms 10 nm"],
-                    "{} rms behind a 10 nm blur",
-                    "Root mean square of model minus measured over that of the spectrum, both \
-                     behind a Gaussian blur of 10 nm full width at half maximum.",
+                    [later!("rms behind 10 nm"), later!("rms 10 nm")],
+                    later!("{} rms behind a 10 nm blur"),
+                    later!(
+                        "Root mean square of model minus measured over that of the spectrum, both \
+                     behind a Gaussian blur of 10 nm full width at half maximum."
+                    ),
                 )
             },
             Self::MaxAbs => share(
                 "max_abs",
-                ["largest"; 2],
-                ", {} at most",
-                "Largest difference over the largest value.",
+                [later!("largest"); 2],
+                later!(", {} at most"),
+                later!("Largest difference over the largest value."),
             ),
             Self::Energy => Figure {
                 digits: 3,
                 signed: true,
                 ..share(
                     "energy",
-                    ["energy"; 2],
-                    ", energy {}",
-                    "Power of the model over that of the spectrum, less one.",
+                    [later!("energy"); 2],
+                    later!(", energy {}"),
+                    later!("Power of the model over that of the spectrum, less one."),
                 )
             },
             Self::Lowest => share(
                 "lowest",
-                ["lowest"; 2],
-                ", lowest {}",
-                "Lowest value of the smooth part over the largest value; negative is a lobe below \
-                 zero.",
+                [later!("lowest"); 2],
+                later!(", lowest {}"),
+                later!(
+                    "Lowest value of the smooth part over the largest value; negative is a lobe \
+                     below zero."
+                ),
             ),
             Self::Displacement => Figure {
                 unit: Unit::NANOMETRE,
                 ..share(
                     "displacement_nm",
-                    ["displacement", "displaced"],
-                    ", light displaced by {}",
-                    "Mean distance that the model's power would have to be moved to be where it \
-                     was measured: the area between both running sums of power, each over its \
-                     own total.",
+                    [later!("displacement"), later!("displaced")],
+                    later!(", light displaced by {}"),
+                    later!(
+                        "Mean distance that the model's power would have to be moved to be where \
+                         it was measured: the area between both running sums of power, each over \
+                         its own total."
+                    ),
                 )
             },
         }

@@ -10,22 +10,24 @@ use crate::{
 };
 
 /// The reason for no TLCI.
-pub const TLCI: Words =
-    "TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed";
+pub const TLCI: Words = later!(
+    "TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed"
+);
 
-const CRI: Words = "CIE 13.3-1995, 1 nm, samples by Sprague, CCT not rounded";
-const R15: Words = "JIS Z 8726: the skin complexion of the CIE's data set of 2024, as CIE 13.3";
-const TM_30: Words = "ANSI/IES TM-30-20 (CIE 224:2017), 99 samples of 1 nm, 380-780 nm";
-const S_026: Words = "CIE S 026:2018, over that of D65, 380-780 nm";
+const CRI: Words = later!("CIE 13.3-1995, 1 nm, samples by Sprague, CCT not rounded");
+const R15: Words =
+    later!("JIS Z 8726: the skin complexion of the CIE's data set of 2024, as CIE 13.3");
+const TM_30: Words = later!("ANSI/IES TM-30-20 (CIE 224:2017), 99 samples of 1 nm, 380-780 nm");
+const S_026: Words = later!("CIE S 026:2018, over that of D65, 380-780 nm");
 const OF_SSI: Words = "SMPTE ST 2122, 375-675 nm";
-const OF_SHAPE: Words = "on whole nm, 360-830";
+const OF_SHAPE: Words = later!("on whole nm, 360-830");
 const OHNO: Words = "Ohno 2013, CIE 1960 uv, c2 = 1.4388e-2 m K";
-const HUE: Words = "from E, CIE 1931 locus of 1 nm; complementary negative";
-const PPFD: Words = "photons of 400-700 nm (ePPFD 400-750), both ends in";
-const MEASURED: Words = "683.002 sum(P V) of the values in their own unit";
+const HUE: Words = later!("from E, CIE 1931 locus of 1 nm; complementary negative");
+const PPFD: Words = later!("photons of 400-700 nm (ePPFD 400-750), both ends in");
+const MEASURED: Words = later!("683.002 sum(P V) of the values in their own unit");
 const XYZ: Words = "CIE 1931, Y = 100";
-const XY: Words = "CIE 1931 chromaticity x, y";
-const UV: Words = "CIE 1976 chromaticity u', v'";
+const XY: Words = later!("CIE 1931 chromaticity x, y");
+const UV: Words = later!("CIE 1976 chromaticity u', v'");
 
 /// A figure of light quality, or why there is none.
 type OfLight = fn(&Figures) -> Result<f64, NoFigure>;
@@ -249,7 +251,7 @@ static BEFORE_SINGLES: &[QualityFigure] = &[
         Err(_) => String::new(),
     }),
     row(
-        ["dominant_nm", "Dominant wavelength"],
+        ["dominant_nm", later!("Dominant wavelength")],
         Unit::NANOMETRE,
         1,
         HUE,
@@ -258,7 +260,7 @@ static BEFORE_SINGLES: &[QualityFigure] = &[
     .json(&["dominant_nm"])
     .measured_as(|q| same(q, &Quantity::DominantNm))
     .read(|_, nm| reading::of_dominant(nm)),
-    row(["purity", "Purity"], Unit::NONE, 3, HUE, |f| {
+    row(["purity", later!("Purity")], Unit::NONE, 3, HUE, |f| {
         Ok(f.dominant.clone()?.purity)
     })
     .json(&["purity"])
@@ -326,15 +328,15 @@ static BEFORE_SINGLES: &[QualityFigure] = &[
 
 /// The figures behind those of one number.
 static BEHIND_SINGLES: &[QualityFigure] = &[
-    ratio::<0>(["s_cone", "S-cone-opic DER"]).json(&["alphaopic.s_cone"]),
-    ratio::<1>(["m_cone", "M-cone-opic DER"]).json(&["alphaopic.m_cone"]),
-    ratio::<2>(["l_cone", "L-cone-opic DER"]).json(&["alphaopic.l_cone"]),
-    ratio::<3>(["rhodopic", "Rhodopic DER"]).json(&["alphaopic.rhodopic"]),
-    ratio::<4>(["melanopic_der", "Melanopic DER"])
+    ratio::<0>(["s_cone", later!("S-cone-opic DER")]).json(&["alphaopic.s_cone"]),
+    ratio::<1>(["m_cone", later!("M-cone-opic DER")]).json(&["alphaopic.m_cone"]),
+    ratio::<2>(["l_cone", later!("L-cone-opic DER")]).json(&["alphaopic.l_cone"]),
+    ratio::<3>(["rhodopic", later!("Rhodopic DER")]).json(&["alphaopic.rhodopic"]),
+    ratio::<4>(["melanopic_der", later!("Melanopic DER")])
         .json(&["melanopic_der", "alphaopic.melanopic"])
         .read(|_, der| reading::of_melanopic(der)),
     row(
-        ["ppfd_per_100lx", "PPFD of 100 lx"],
+        ["ppfd_per_100lx", later!("PPFD of 100 lx")],
         PHOTONS,
         3,
         PPFD,
@@ -342,23 +344,29 @@ static BEHIND_SINGLES: &[QualityFigure] = &[
     )
     .json(&["ppfd_per_100lx"]),
     row(
-        ["eppfd_per_100lx", "ePPFD of 100 lx"],
+        ["eppfd_per_100lx", later!("ePPFD of 100 lx")],
         PHOTONS,
         3,
         PPFD,
         |f| Ok(f.photons.clone()?.eppfd),
     )
     .detail(&["eppfd_per_100lx"]),
-    absolute::<0>(["lux", "Illuminance"], LUX),
-    absolute::<1>(["luminance", "Luminance"], of_unit("cd/m²", " cd/m²")),
-    absolute::<2>(["lumens", "Luminous flux"], of_unit("lm", " lm")),
-    absolute::<3>(["candela", "Luminous intensity"], of_unit("cd", " cd")),
-    place("", 3, "sum(P) of 360-830 nm", |f| {
+    absolute::<0>(["lux", later!("Illuminance")], LUX),
+    absolute::<1>(
+        ["luminance", later!("Luminance")],
+        of_unit("cd/m²", " cd/m²"),
+    ),
+    absolute::<2>(["lumens", later!("Luminous flux")], of_unit("lm", " lm")),
+    absolute::<3>(
+        ["candela", later!("Luminous intensity")],
+        of_unit("cd", " cd"),
+    ),
+    place("", 3, later!("sum(P) of 360-830 nm"), |f| {
         Ok(f.absolute.clone()?.radiometric)
     })
     .detail(&["absolute.radiometric"]),
     row(
-        ["melanopic_edi", "Melanopic EDI"],
+        ["melanopic_edi", later!("Melanopic EDI")],
         LUX,
         1,
         "CIE S 026:2018: DER x lx",
@@ -374,23 +382,27 @@ static BEHIND_SINGLES: &[QualityFigure] = &[
         ["ppfd", "PPFD"],
         PHOTONS,
         2,
-        "photons of 400-700 nm, both ends in",
+        later!("photons of 400-700 nm, both ends in"),
         |f| Ok(f.absolute.clone()?.ppfd),
     )
     .detail(&["absolute.ppfd"])
     .of_lights(is_on_a_surface),
-    place("", 2, "photons of 400-750 nm, both ends in", |f| {
+    place("", 2, later!("photons of 400-750 nm, both ends in"), |f| {
         Ok(f.absolute.clone()?.eppfd)
     })
     .detail(&["absolute.eppfd"])
     .of_lights(is_on_a_surface),
-    row(["peak_nm", "Peak"], Unit::NANOMETRE, 0, OF_SHAPE, |f| {
-        Ok(f64::from(f.shape.clone()?.peak?.nm))
-    })
+    row(
+        ["peak_nm", later!("Peak")],
+        Unit::NANOMETRE,
+        0,
+        OF_SHAPE,
+        |f| Ok(f64::from(f.shape.clone()?.peak?.nm)),
+    )
     .detail(&[])
     .read(|f, _| reading::of_peak(f)),
     row(
-        ["centroid_nm", "Centroid"],
+        ["centroid_nm", later!("Centroid")],
         Unit::NANOMETRE,
         1,
         OF_SHAPE,
@@ -398,7 +410,7 @@ static BEHIND_SINGLES: &[QualityFigure] = &[
     )
     .detail(&["centroid_nm"]),
     row(
-        ["fwhm_nm", "Width at half height"],
+        ["fwhm_nm", later!("Width at half height")],
         Unit::NANOMETRE,
         1,
         OF_SHAPE,

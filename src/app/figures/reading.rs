@@ -10,6 +10,7 @@ use crate::{
             diagram::quadrangle_of, sample_names,
         },
     },
+    languages::{fixed, said},
 };
 
 /// CCT, with the quadrangle that the colour lies in.
@@ -17,8 +18,15 @@ pub(super) fn of_cct(figures: &Figures, cct: Cct) -> String {
     let white = tint::name(cct);
     let quadrangle = figures.xy[0].clone().ok().and_then(quadrangle_of);
     match quadrangle {
-        Some(found) => format!("{white}; may be sold as {:.0} K", found.nominal_k),
-        None => format!("{white}; in none of the ten basic quadrangles of ANSI C78.377"),
+        Some(found) => tr!(
+            "{white}; may be sold as {kelvin} K",
+            white,
+            kelvin = fixed(found.nominal_k, 0)
+        ),
+        None => tr!(
+            "{white}; in none of the ten basic quadrangles of ANSI C78.377",
+            white
+        ),
     }
 }
 
@@ -27,11 +35,11 @@ pub(super) fn of_ra(found: &Rendering) -> String {
     let indices = found.indices();
     let lowest = (0..indices.len()).min_by(|a, b| indices[*a].total_cmp(&indices[*b]));
     let lowest = lowest.unwrap_or(0);
-    format!(
-        "{}; lowest R{} {:.0}",
-        verdicts::of_ra(found.ra),
-        lowest + 1,
-        indices[lowest]
+    tr!(
+        "{verdict}; lowest R{number} {index}",
+        verdict = verdicts::of_ra(found.ra),
+        number = lowest + 1,
+        index = fixed(indices[lowest], 0)
     )
 }
 
@@ -56,16 +64,27 @@ pub(super) fn of_sample(figures: &Figures, number: usize, index: f64) -> String 
     let chroma: Vec<f64> = chroma.collect();
     let way = verdicts::of_chroma(&chroma).filter(|_| index < 90.0);
     let way = way.map_or_else(String::new, |way| format!(", {way}"));
-    let (name, looks) = (RENDERING_NAMES[number - 1], verdicts::of_sample(index));
-    format!("{name} {looks}: R{number} {index:.0}{way}")
+    tr!(
+        "{colour} {looks}: R{number} {index}{way}",
+        colour = said(RENDERING_NAMES[number - 1]),
+        looks = verdicts::of_sample(index),
+        number,
+        index = fixed(index, 0),
+        way
+    )
 }
 
 /// Rf, with the sample that shifts most: the mean tells nothing of it.
 pub(super) fn of_rf(rf: f64, samples: &[f64]) -> String {
-    let said = format!("{} on average", verdicts::of_rf(rf));
+    let said = tr!("{verdict} on average", verdict = verdicts::of_rf(rf));
     let all = samples.iter().zip(sample_names());
     match all.min_by(|a, b| a.0.total_cmp(b.0)) {
-        Some((lowest, name)) => format!("{said}; most {name} ({lowest:.0})"),
+        Some((lowest, sample)) => tr!(
+            "{verdict}; most {sample} ({index})",
+            verdict = said,
+            sample,
+            index = fixed(lowest, 0)
+        ),
         None => said,
     }
 }
@@ -80,51 +99,54 @@ pub(super) fn of_single(single: &Single) -> fn(f64) -> String {
 }
 
 fn of_efficacy(lumens: f64) -> String {
-    format!(
-        "{:.0} % of the 683 lm/W that are possible",
-        100.0 * lumens / 683.0
-    )
+    let share = fixed(100.0 * lumens / 683.0, 0);
+    tr!("{share} % of the 683 lm/W that are possible", share)
 }
 
 pub(super) fn of_melanopic(der: f64) -> String {
-    format!("has {der:.2} times the melanopic light of D65 at the same lux")
+    let ratio = fixed(der, 2);
+    tr!(
+        "has {ratio} times the melanopic light of D65 at the same lux",
+        ratio
+    )
 }
 
 fn of_sp(ratio: f64) -> String {
     match ratio {
-        r if r < 1.0 => "little for eyes adapted to the dark",
-        r if r < 2.0 => "like most lamps for eyes adapted to the dark",
-        _ => "much for eyes adapted to the dark; daylight has 2.5",
+        r if r < 1.0 => said!("little for eyes adapted to the dark"),
+        r if r < 2.0 => said!("like most lamps for eyes adapted to the dark"),
+        _ => said!("much for eyes adapted to the dark; daylight has 2.5"),
     }
     .to_owned()
 }
 
 pub(super) fn of_purity(purity: f64) -> String {
-    format!(
-        "{:.0} % of the way from white to the pure colour",
-        100.0 * purity
-    )
+    let share = fixed(100.0 * purity, 0);
+    tr!("{share} % of the way from white to the pure colour", share)
 }
 
 pub(super) fn of_dominant(nm: f64) -> String {
-    let name = verdicts::of_wavelength(nm.abs());
+    let hue = verdicts::of_wavelength(nm.abs());
     if nm < 0.0 {
-        format!("a purple: the complement of {name} light")
+        tr!("a purple: the complement of {hue} light", hue)
     } else {
-        format!("the hue of {name} light")
+        tr!("the hue of {hue} light", hue)
     }
 }
 
 pub(super) fn of_edi(lux: f64) -> String {
-    let reaches = if lux >= 250.0 { "reaches" } else { "below" };
-    format!("{reaches} the 250 lx at the eye advised by day (Brown et al. 2022)")
+    match lux >= 250.0 {
+        true => said!("reaches the 250 lx at the eye advised by day (Brown et al. 2022)"),
+        false => said!("below the 250 lx at the eye advised by day (Brown et al. 2022)"),
+    }
+    .to_owned()
 }
 
 pub(super) fn of_peak(figures: &Figures) -> String {
     let peak = figures.shape.as_ref().map(|shape| &shape.peak);
     match peak {
         Ok(Ok(peak)) if peak.is_at_end => {
-            "where the table or the visible ends: it may be higher beyond".to_owned()
+            said!("where the table or the visible ends: it may be higher beyond").to_owned()
         }
         _ => String::new(),
     }

@@ -67,7 +67,7 @@ impl FollowAsked {
     /// Why it cannot be followed.
     fn open(&self) -> Result<(Box<dyn Source>, Through), NotFollowed> {
         let through = self.instrument.as_deref().map(Through::read).transpose();
-        let through = through.map_err(|why| NotFollowed::Found(format!("the instrument: {why}")));
+        let through = through.map_err(|why| NotFollowed::Found(tr!("the instrument: {why}", why)));
         let through = through?.unwrap_or_default();
         let source = self.source.open(&through, &self.choices)?;
         Ok((source, through))

@@ -13,6 +13,7 @@ use crate::{
         stream::{ITS_NAME, is_standard_input, is_stream},
         why_unopened,
     },
+    languages::said,
     measurements::Instrument,
     streams::{
         FileSource, FolderSource, Lines, ListenError, Pace, Reach, Replay, Source, listen, piped,
@@ -104,14 +105,19 @@ impl Through {
             None => Ok(lines),
             Some(nm) => lines
                 .on_axis(nm.clone())
-                .map_err(|why| NotFollowed::Found(format!("the instrument: {why}"))),
+                .map_err(|why| NotFollowed::Found(tr!("the instrument: {why}", why))),
         }
     }
 }
 
 fn unopened(path: &Path, error: &std::io::Error) -> String {
     let (found, expected) = why_unopened(path, error);
-    format!("{}: found {found}, expected {expected}", shown(path))
+    tr!(
+        "{path}: found {found}, expected {expected}",
+        path = shown(path),
+        found,
+        expected
+    )
 }
 
 impl Asked {
@@ -149,7 +155,7 @@ impl Asked {
         let is_folder = fs::metadata(path).map_err(unopened)?.is_dir();
         if let Self::Replay(_, pace) = self {
             let replay = match is_folder {
-                true => Err("found a folder, expected a recording".to_owned()),
+                true => Err(said!("found a folder, expected a recording").to_owned()),
                 false => Replay::open(path, *pace, lines),
             };
             let replay =
@@ -172,11 +178,12 @@ fn serial(path: &Path, baud: u32, through: &Through) -> Result<Box<dyn Source>, 
 
 /// What a build without serial ports says.
 #[cfg(not(feature = "serial"))]
-const NO_SERIAL: &str = "found a build without serial ports, expected one with the feature serial";
+const NO_SERIAL: &str =
+    later!("found a build without serial ports, expected one with the feature serial");
 
 #[cfg(not(feature = "serial"))]
 fn serial(_: &Path, _: u32, _: &Through) -> Result<Box<dyn Source>, NotFollowed> {
-    Err(NotFollowed::Asked(NO_SERIAL.to_owned()))
+    Err(NotFollowed::Asked(said(NO_SERIAL).to_owned()))
 }
 
 /// The serial ports of this machine.
@@ -190,5 +197,5 @@ pub fn ports() -> Result<Vec<PathBuf>, String> {
 
 #[cfg(not(feature = "serial"))]
 pub fn ports() -> Result<Vec<PathBuf>, String> {
-    Err(NO_SERIAL.to_owned())
+    Err(said(NO_SERIAL).to_owned())
 }

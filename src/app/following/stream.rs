@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     app::measured::spectrum,
-    io::many::many,
+    languages::with_sign,
     live::{Live, Shown, Tracks, age, clock, rate},
     measurements::{Measurement, Quantity},
     streams::{Broken, Event},
@@ -135,20 +135,27 @@ impl Stream {
         let clipped = shown.iter().flat_map(|shown| &shown.clipped);
         let clipped: Vec<String> = clipped
             .map(|[from, to]| match from == to {
-                true => format!("{from}"),
-                false => format!("{from} to {to}"),
+                true => with_sign(from.to_string()),
+                false => tr!(
+                    "{from} to {to}",
+                    from = with_sign(from.to_string()),
+                    to = with_sign(to.to_string())
+                ),
             })
             .collect();
         let clipped = (!clipped.is_empty()).then(|| {
-            format!(
-                "Clipped at {} nm: the light is stronger there than the instrument can tell.",
-                clipped.join(", ")
+            tr!(
+                "Clipped at {ranges} nm: the light is stronger there than the instrument can tell.",
+                ranges = clipped.join(", ")
             )
         });
         let Broken { count, last } = &self.broken;
         let broken = (*count > 0).then(|| {
-            let lines = many(*count as usize, "broken line", "broken lines");
-            format!("{lines} skipped, the last: {last}.")
+            tr!(
+                "{n} broken line skipped, the last: {last}."
+                    | "{n} broken lines skipped, the last: {last}." % *count,
+                last
+            )
         });
         Seen {
             name: self.name.clone(),
@@ -184,30 +191,36 @@ impl Stream {
         match standing {
             Standing::Refused => {
                 let why = self.end.clone().and_then(Result::err).unwrap_or_default();
-                format!("Nothing is followed: {why}.")
+                tr!("Nothing is followed: {why}.", why)
             }
             Standing::Waiting => {
-                said().unwrap_or_else(|| "Waiting for the first spectrum.".to_owned())
+                said().unwrap_or_else(|| said!("Waiting for the first spectrum.").to_owned())
             }
             Standing::Gone => said().unwrap_or_default(),
             Standing::Runs => match self.live.count() {
-                1 => format!("The first spectrum came {last}."),
-                _ => format!("{}, the last {last}.", capital(&told)),
+                1 => tr!("The first spectrum came {last}.", last),
+                _ => tr!("{rate}, the last {last}.", rate = capital(&told), last),
             },
-            Standing::Slow => format!("Slow: the last spectrum came {last}, before that {told}."),
+            Standing::Slow => tr!(
+                "Slow: the last spectrum came {last}, before that {rate}.",
+                last,
+                rate = told
+            ),
             Standing::Ended if self.live.count() == 0 => {
-                "It has ended without a spectrum.".to_owned()
+                said!("It has ended without a spectrum.").to_owned()
             }
-            Standing::Ended => "It has ended; the last spectrum stays.".to_owned(),
+            Standing::Ended => said!("It has ended; the last spectrum stays.").to_owned(),
             Standing::Held => {
                 let at = clock(shown.map_or(0.0, |shown| shown.time_ms));
                 let since = self.live.count() - self.held_from;
-                let came = match since {
-                    0 => "nothing came since".to_owned(),
-                    1 => "1 spectrum came since".to_owned(),
-                    since => format!("{since} spectra came since"),
-                };
-                format!("Held at {at}; {came}.")
+                match since {
+                    0 => tr!("Held at {at}; nothing came since.", at),
+                    since => tr!(
+                        "Held at {at}; {n} spectrum came since."
+                            | "Held at {at}; {n} spectra came since." % since,
+                        at
+                    ),
+                }
             }
         }
     }

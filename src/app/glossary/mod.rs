@@ -4,6 +4,7 @@ mod words;
 
 use std::ops::Range;
 
+use crate::languages::{Language, said, spoken};
 pub use words::WORDS;
 
 /// A word and what it means.
@@ -18,6 +19,16 @@ pub struct Word {
 }
 
 impl Word {
+    /// The word in the language spoken.
+    pub fn word(&self) -> &'static str {
+        said(self.word)
+    }
+
+    /// What it means, in the language spoken.
+    pub fn means(&self) -> &'static str {
+        said(self.means)
+    }
+
     /// The word that this one only refers to, or itself.
     fn explained(&'static self) -> &'static Self {
         let other = self.means.strip_prefix("See ");
@@ -42,7 +53,7 @@ pub fn found_in(text: &str) -> Vec<(Range<usize>, &'static Word)> {
                 let ends = word
                     .forms
                     .iter()
-                    .filter_map(|form| end_of(&text[at..], form));
+                    .filter_map(|form| end_of(&text[at..], said(form)));
                 Some((at + ends.max()?, word.explained()))
             })
             .max_by_key(|(end, _)| *end);
@@ -62,19 +73,22 @@ fn is_of_word(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '-'
 }
 
-/// How much of a text's beginning a form is, with an s behind it or without.
+/// How much of a text's beginning a form is, with an ending of its language or without.
 fn end_of(text: &str, form: &str) -> Option<usize> {
     let start = text.get(..form.len())?;
     let is_name = form.chars().any(char::is_uppercase);
     let fits = start == form || !is_name && start.to_lowercase() == form;
     let ends = |rest: &str| !rest.chars().next().is_some_and(is_of_word);
     let rest = &text[form.len()..];
-    match rest.strip_prefix('s') {
-        _ if !fits => None,
-        Some(behind) if ends(behind) => Some(form.len() + 1),
-        _ => ends(rest).then_some(form.len()),
-    }
+    let mut endings = ENDINGS[usize::from(spoken() == Language::German)].iter();
+    let ending = endings.find(|ending| rest.strip_prefix(**ending).is_some_and(ends));
+    ending
+        .filter(|_| fits)
+        .map(|ending| form.len() + ending.len())
 }
+
+/// What may stand behind a word in a sentence, in German and elsewhere.
+const ENDINGS: [&[&str]; 2] = [&["s", ""], &["ern", "en", "es", "er", "e", "n", "s", ""]];
 
 /// What a word means, if it is one of them.
 pub fn meaning(word: &str) -> Option<&'static str> {

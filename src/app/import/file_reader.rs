@@ -33,11 +33,11 @@ fn read(file: &SourceFile, choices: &Choices) -> Result<Opened, String> {
     let read = || match (&file.bytes, &file.path) {
         (Some(bytes), _) => load_bytes_as(name, bytes, choices),
         (None, Some(path)) => load_path_as(path, choices),
-        (None, None) => Loaded::Refused(format!("{name}: it cannot be read again")),
+        (None, None) => Loaded::Refused(tr!("{name}: it cannot be read again", name)),
     };
     match unshaken(name, read) {
         Loaded::File(opened) if opened.spectra.is_empty() && opened.images.is_empty() => {
-            Err(format!("{name}: found no spectrum"))
+            Err(tr!("{name}: found no spectrum", name))
         }
         Loaded::File(mut opened) => {
             if file.images_only {
@@ -47,7 +47,7 @@ fn read(file: &SourceFile, choices: &Choices) -> Result<Opened, String> {
             Ok(*opened)
         }
         Loaded::Refused(why) => Err(why),
-        Loaded::Project { .. } => Err(format!("{name}: it is a project now")),
+        Loaded::Project { .. } => Err(tr!("{name}: it is a project now", name)),
     }
 }
 
@@ -119,7 +119,7 @@ impl FileReader {
                     .job
                     .result_for(&self.turn)
                     .map(|read| Result::clone(read))
-                    .or_else(|| Some(Err(format!("{}: not read", self.file.name)))),
+                    .or_else(|| Some(Err(tr!("{file}: not read", file = self.file.name)))),
             };
         }
         let answer = self.answer.take()?;

@@ -29,9 +29,9 @@ impl ColumnRole {
     /// A word and a mark for it.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Wavelengths => "λ wavelengths",
-            Self::Values => "● values",
-            Self::LeftOut => "– left out",
+            Self::Wavelengths => said!("λ wavelengths"),
+            Self::Values => said!("● values"),
+            Self::LeftOut => said!("– left out"),
         }
     }
 }
@@ -109,7 +109,8 @@ pub(super) fn head(text: &str, table: Option<&TableFound>) -> Head {
         .map(|line| shortened(line, LINE_LETTERS))
         .collect();
     if first > 0 {
-        head.above.insert(0, format!("… {first} lines above"));
+        head.above
+            .insert(0, tr!("… {n} lines above" | "… {n} lines above" % first));
     }
     head
 }

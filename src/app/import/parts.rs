@@ -1,6 +1,7 @@
 //! Which of a file's spectra or images the questions are about.
 
 use super::{Import, questions::Alike};
+use crate::languages::said;
 
 /// Which spectra (or images) of a file the questions are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +84,7 @@ impl Import {
             }
         }
         parts.extend((0..alike.len().min(MOST_PARTS)).map(|at| Part {
-            words: format!("{}: {}", self.name_of(at), alike[at].kind.word()),
+            words: format!("{}: {}", self.name_of(at), said(alike[at].kind.word())),
             about: About::One(at),
             doubtful: alike[at].doubtful,
         }));
@@ -96,24 +97,24 @@ impl Import {
         let at = self.asked_first();
         match (alike.get(at), self.asked_about().len()) {
             (Some(one), 2..) => self.words_of_many(one, self.asked_about().len()),
-            (Some(one), _) => format!("{}: {}", self.name_of(at), one.kind.word()),
+            (Some(one), _) => format!("{}: {}", self.name_of(at), said(one.kind.word())),
             (None, _) => String::new(),
         }
     }
 
     fn words_of_many(&self, one: &Alike, count: usize) -> String {
-        let what = if self.is_of_images() {
-            "images"
-        } else {
-            "spectra"
-        };
-        let all = if count == self.alike.len() {
-            "all"
-        } else {
-            "the"
-        };
-        let told = if one.guessed { "taken as" } else { "of" };
-        format!("{all} {count} {what} {told} {}", one.kind.word())
+        let kind = said(one.kind.word());
+        let all = count == self.alike.len();
+        match (all, self.is_of_images(), one.guessed) {
+            (true, true, true) => tr!("all {count} images taken as {kind}", count, kind),
+            (true, true, false) => tr!("all {count} images of {kind}", count, kind),
+            (true, false, true) => tr!("all {count} spectra taken as {kind}", count, kind),
+            (true, false, false) => tr!("all {count} spectra of {kind}", count, kind),
+            (false, true, true) => tr!("the {count} images taken as {kind}", count, kind),
+            (false, true, false) => tr!("the {count} images of {kind}", count, kind),
+            (false, false, true) => tr!("the {count} spectra taken as {kind}", count, kind),
+            (false, false, false) => tr!("the {count} spectra of {kind}", count, kind),
+        }
     }
 
     pub(super) fn name_of(&self, at: usize) -> &str {

@@ -7,6 +7,7 @@ use crate::{
         AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guessed, MOST_UNDERSTOOD,
         OpenQuestion, Origin, TableFound, WavelengthUnit, envi,
     },
+    languages::{said, with_sign},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -126,8 +127,8 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
     match understood.and_then(|u| u.axis.as_ref()) {
         Some(axis @ AxisDecision::Unit(unit)) => {
             let question = Question::new(
-                "Wavelengths in",
-                "The unit of the wavelength axis.",
+                said!("Wavelengths in"),
+                said!("The unit of the wavelength axis."),
                 answers(WavelengthUnit::ALL, unit.value, Flip::Wavelengths, |unit| {
                     unit.word().to_owned()
                 }),
@@ -152,23 +153,25 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
 fn photon_question(choices: &Choices) -> Question {
     let words = |keep| {
         if keep {
-            "as they are"
+            said!("as they are")
         } else {
-            "turned into power"
+            said!("turned into power")
         }
         .to_owned()
     };
     Question::new(
-        "Photons are",
-        "Colours and errors are of power: a photon of half the wavelength carries twice as much \
-         of it.",
+        said!("Photons are"),
+        said!(
+            "Colours and errors are of power: a photon of half the wavelength carries twice as \
+             much of it."
+        ),
         answers(
             [false, true],
             choices.keep_photons,
             Flip::KeepPhotons,
             words,
         ),
-        by_hand_or(choices.keep_photons, "the unit counts photons"),
+        by_hand_or(choices.keep_photons, said!("the unit counts photons")),
     )
 }
 
@@ -187,18 +190,20 @@ fn sigma_question(opened: &Opened) -> Option<Question> {
     }
     let words = |takes| {
         match takes {
-            true => "the noise of the one before it",
-            false => "no noise",
+            true => said!("the noise of the one before it"),
+            false => said!("no noise"),
         }
         .to_owned()
     };
     let takes = opened.choices.take_sigma;
     Some(Question::new(
-        "The sd column is",
-        "A column called sd, std, sigma, u or error may be the standard deviation of the one before \
-         it: the uncertainty of every figure follows from it.",
+        said!("The sd column is"),
+        said!(
+            "A column called sd, std, sigma, u or error may be the standard deviation of the one \
+             before it: the uncertainty of every figure follows from it."
+        ),
         answers([false, true], takes, Flip::TakeSigma, words),
-        by_hand_or(takes, "its title may mean either"),
+        by_hand_or(takes, said!("its title may mean either")),
     ))
 }
 
@@ -223,7 +228,7 @@ fn kind_question(
         (Some(understood), _) => why(&understood.kind),
         (None, Some(guess)) => guess.because.clone(),
         (None, None) if opened.choices.kind_of(at).is_some() => by_hand(),
-        (None, None) => "stated by the file".to_owned(),
+        (None, None) => said!("stated by the file").to_owned(),
     };
     let doubtful = match understood {
         Some(understood) => understood.kind.is_doubtful(),
@@ -234,10 +239,14 @@ fn kind_question(
         kinds.push(one.kind);
     }
     Question::new(
-        "Values are",
-        "The kind of the values: a light is drawn as a light, a reflectance or transmittance is \
-         looked at under one.",
-        answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
+        said!("Values are"),
+        said!(
+            "The kind of the values: a light is drawn as a light, a reflectance or transmittance \
+             is looked at under one."
+        ),
+        answers(kinds, one.kind, Flip::Kind, |kind| {
+            said(kind.word()).to_owned()
+        }),
         because,
     )
     .doubtful(doubtful)
@@ -261,18 +270,20 @@ fn counted_question(told: Option<&Decision<Counted>>, format: &str) -> Question 
         Counted::EightBits | Counted::Otherwise => is == Some(*counted),
     });
     Question {
-        what: "Counted in",
-        meaning: "The value, 100, 1 or 10 000, that reflects (or transmits) all of the light; \
-                  fractions are taken as they are.",
+        what: said!("Counted in"),
+        meaning: said!(
+            "The value, 100, 1 or 10 000, that reflects (or transmits) all of the light; \
+                  fractions are taken as they are."
+        ),
         answers: offered
             .map(|counted| Answer {
-                words: counted.word().to_owned(),
+                words: said(counted.word()).to_owned(),
                 flip: Flip::Counted(counted),
                 chosen: is == Some(counted),
             })
             .collect(),
         because: told.map_or_else(
-            || "asked of reflectances and transmittances".to_owned(),
+            || said!("asked of reflectances and transmittances").to_owned(),
             why,
         ),
         doubtful: told.is_some_and(Decision::is_doubtful),
@@ -290,9 +301,11 @@ fn laser_question(told: &Decision<f64>) -> Question {
         lasers.sort_by(f64::total_cmp);
     }
     Question::new(
-        "Shifts from",
-        "The laser, in nm, from whose line the Raman shifts count.",
-        answers(lasers, told.value, Flip::Laser, |nm| format!("{nm} nm")),
+        said!("Shifts from"),
+        said!("The laser, in nm, from whose line the Raman shifts count."),
+        answers(lasers, told.value, Flip::Laser, |nm| {
+            format!("{} nm", with_sign(nm.to_string()))
+        }),
         why(told),
     )
     .doubtful(told.is_doubtful())
@@ -314,7 +327,7 @@ fn by_hand_or(is_chosen: bool, otherwise: &str) -> String {
 fn why<T>(decision: &Decision<T>) -> String {
     let reason = &decision.reason;
     match decision.origin {
-        Origin::Stated => format!("stated by the file: {reason}"),
+        Origin::Stated => tr!("stated by the file: {reason}", reason),
         Origin::Chosen | Origin::Evident | Origin::Likely => reason.clone(),
     }
 }
@@ -339,56 +352,56 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
     if let Some(axis) = table.axis_column {
         let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
         questions.push(Question::new(
-            "Wavelength column",
-            "The column of the wavelengths.",
+            said!("Wavelength column"),
+            said!("The column of the wavelengths."),
             answers(columns, axis, Flip::AxisColumn, |c| (c + 1).to_string()),
             by_hand_or(
                 choices.axis_column.is_some(),
-                "it rises or falls throughout",
+                said!("it rises or falls throughout"),
             ),
         ));
     }
     let delimiter = |delimiter| {
         match delimiter {
             Delimiter::Tab => "TAB",
-            Delimiter::Semicolon => "semicolon ;",
-            Delimiter::Comma => "comma ,",
-            Delimiter::Space => "blanks",
-            Delimiter::Cell => "edges of cells",
+            Delimiter::Semicolon => said!("semicolon ;"),
+            Delimiter::Comma => said!("comma ,"),
+            Delimiter::Space => said!("blanks"),
+            Delimiter::Cell => said!("edges of cells"),
         }
         .to_owned()
     };
     let mark = |comma| {
         if comma {
-            "decimal comma"
+            said!("decimal comma")
         } else {
-            "decimal point"
+            said!("decimal point")
         }
         .to_owned()
     };
     let dialect = &table.dialect;
     questions.extend([
         Question::new(
-            "Cells between",
-            "The sign between two cells of a row.",
+            said!("Cells between"),
+            said!("The sign between two cells of a row."),
             answers(
                 Delimiter::ALL,
                 dialect.delimiter,
                 Flip::Delimiter,
                 delimiter,
             ),
-            by_hand_or(is_chosen, "it makes the most even table"),
+            by_hand_or(is_chosen, said!("it makes the most even table")),
         ),
         Question::new(
-            "Decimal mark",
-            "The sign before the decimals of a number.",
+            said!("Decimal mark"),
+            said!("The sign before the decimals of a number."),
             answers(
                 [false, true],
                 dialect.decimal_comma,
                 Flip::DecimalComma,
                 mark,
             ),
-            by_hand_or(is_chosen, "it makes the most numbers"),
+            by_hand_or(is_chosen, said!("it makes the most numbers")),
         ),
     ]);
     questions

@@ -8,6 +8,7 @@ use super::{
     names::{PageWord, entry, find},
     scene::Scene,
 };
+use crate::languages::said;
 
 /// Subject of a condition, under its key in the file.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -122,9 +123,14 @@ impl Condition {
     pub fn meter(&self, scene: &Scene<'_>, begun: f64) -> Option<Meter> {
         let told = figure(scene, self.figure()?, self.of.as_deref()).ok()?;
         let left = self.distance(scene)?;
-        let title = self.called.as_deref().unwrap_or(told.title);
+        let title = self.called.as_deref().unwrap_or(said(told.title));
         Some(Meter {
-            words: format!("{title}: {} (aim: {})", told.words, self.bounds(&told)),
+            words: tr!(
+                "{title}: {value} (aim: {aim})",
+                title,
+                value = told.words,
+                aim = self.bounds(&told)
+            ),
             share: match (told.value.is_some_and(|v| self.is_within(v)), begun > 0.0) {
                 (true, _) => 1.0,
                 // At a bound that is to be passed nothing is left, and it is not met yet.
@@ -138,11 +144,12 @@ impl Condition {
     pub fn unmet(&self, scene: &Scene<'_>) -> String {
         if let Some(key) = self.figure() {
             return match figure(scene, key, self.of.as_deref()) {
-                Ok(told) => format!(
-                    "found {} ({key}) {}, expected {}",
-                    told.title,
-                    told.words,
-                    self.bounds(&told)
+                Ok(told) => tr!(
+                    "found {title} ({key}) {value}, expected {aim}",
+                    title = said(told.title),
+                    key,
+                    value = told.words,
+                    aim = self.bounds(&told)
                 ),
                 Err(why) => why,
             };
@@ -151,25 +158,25 @@ impl Condition {
             Wanted::Page(page) => page.0.word().to_owned(),
             _ => self.names().join(", "),
         };
-        format!("found other things shown, expected {names}")
+        tr!("found other things shown, expected {names}", names)
     }
 
     /// The bounds of its figure in words.
     fn bounds(&self, told: &Told) -> String {
-        let at = |value: Option<f64>, word: &str| {
-            value.map(|value| format!("{word}{}", told.bound(value)))
-        };
-        let between = self
-            .between
-            .map(|[least, most]| format!("{} to {}", told.bound(least), told.bound(most)));
+        let at = |value: Option<f64>| value.map(|value| told.bound(value));
+        let between = self.between.map(|[least, most]| {
+            let [least, most] = [least, most].map(|value| told.bound(value));
+            tr!("{least} to {most}", least, most)
+        });
         let bounds = [
-            at(self.above, "above "),
-            at(self.below, "below "),
-            at(self.equals, ""),
+            at(self.above).map(|least| tr!("above {least}", least)),
+            at(self.below).map(|most| tr!("below {most}", most)),
+            at(self.equals),
             between,
         ];
-        let bounds: Vec<String> = bounds.into_iter().flatten().collect();
-        bounds.join(" and ")
+        let bounds = bounds.into_iter().flatten();
+        let both = bounds.reduce(|one, other| tr!("{one} and {other}", one, other));
+        both.unwrap_or_default()
     }
 
     fn is_within(&self, value: f64) -> bool {
@@ -188,8 +195,9 @@ impl Condition {
     pub fn fault(&self, made: &[&str]) -> Result<(), String> {
         if let Some(key) = self.rest.keys().next() {
             return Err(format!(
-                "found the field `{key}` in until, expected one of figure, light, surface, overlay, \
-                 chain and page, and with figure of, above, below, equals, between and called"
+                "found the field `{key}` in until, expected one of figure, light, surface, \
+                 overlay, chain and page, and with figure of, above, below, equals, between and \
+                 called"
             ));
         }
         let bounds = [self.above, self.below, self.equals];

@@ -14,6 +14,7 @@ use crate::{
         quality_report::{Row, light_of, rows},
     },
     color::quality::{Figures, Light, POINTS},
+    languages::fixed,
     study::Measure,
 };
 
@@ -138,7 +139,9 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
         None => DASH.to_owned(),
         Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
         // More digits would be of what nobody sees.
-        Some(value) if unit == Unit::DELTA_E && value < 0.01 => "less than 0.01".to_owned(),
+        Some(value) if unit == Unit::DELTA_E && value < 0.01 => {
+            tr!("less than {value}", value = fixed(0.01, 2))
+        }
         Some(value) if unit == Unit::DELTA_E => two_digits(value),
         Some(value) => format!("{}{}", figure_words(value * unit.factor), unit.tail),
     };

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::{condition::Condition, parsed::parsed, point::Point, scene::Scene, stage::Stage};
+use crate::languages::said;
 
 /// The word that marks a file of a lesson.
 pub(super) const FORMAT: &str = "spectral-explorer-lesson";
@@ -29,10 +30,10 @@ pub enum Audience {
 impl Audience {
     pub fn word(self) -> &'static str {
         match self {
-            Self::School => "school",
-            Self::University => "university",
-            Self::Lighting => "lighting",
-            Self::Graphics => "graphics",
+            Self::School => later!("school"),
+            Self::University => later!("university"),
+            Self::Lighting => later!("lighting"),
+            Self::Graphics => later!("graphics"),
         }
     }
 }
@@ -190,7 +191,7 @@ impl std::fmt::Display for Fault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { file, step, what } = self;
         match step {
-            Some(step) => write!(f, "{file}: step {step}: {what}"),
+            Some(step) => f.write_str(&tr!("{file}: step {step}: {what}", file, step, what)),
             None => write!(f, "{file}: {what}"),
         }
     }
@@ -219,7 +220,7 @@ impl Lesson {
         let value: Value = serde_json::from_str(text).map_err(|why| {
             vec![fault(
                 None,
-                format!("found no JSON ({why}), expected a lesson"),
+                tr!("found no JSON ({why}), expected a lesson", why),
             )]
         })?;
         let Value::Object(mut object) = value else {
@@ -278,7 +279,7 @@ impl Lesson {
 
     /// Whom it is for, in words.
     pub fn audience_words(&self) -> String {
-        let words: Vec<&str> = self.audience.iter().map(|a| a.word()).collect();
+        let words: Vec<&str> = self.audience.iter().map(|a| said(a.word())).collect();
         words.join(", ")
     }
 

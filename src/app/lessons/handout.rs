@@ -93,14 +93,15 @@ fn head(blocks: &mut Vec<Block>, lesson: &Lesson) {
 }
 
 fn step_head(blocks: &mut Vec<Block>, number: usize, step: &Played<Option<Picture>>) {
-    let place = format!("Step {number}: {}", step.page.title());
+    let page = step.page.title();
+    let place = tr!("Step {number}: {page}", number, page);
     blocks.push(Block::Heading(place));
     blocks.push(Block::Words(step.say.clone()));
 }
 
 fn choices(blocks: &mut Vec<Block>, step: &Played<Option<Picture>>) {
     if let Some((question, answers)) = &step.ask {
-        blocks.push(Block::Led("Predict.", question.clone()));
+        blocks.push(Block::Led(said!("Predict."), question.clone()));
         let answers = ('A'..).zip(answers);
         blocks.extend(answers.map(|(letter, one)| Block::Choice(letter, one.text.clone())));
     }
@@ -109,7 +110,7 @@ fn choices(blocks: &mut Vec<Block>, step: &Played<Option<Picture>>) {
 fn of_pupil(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Picture>>]) {
     head(blocks, lesson);
     blocks.push(Block::Words(
-        "Name: ______________________________   Date: ______________".to_owned(),
+        said!("Name: ______________________________   Date: ______________").to_owned(),
     ));
     for (index, step) in played.iter().enumerate() {
         step_head(blocks, index + 1, step);
@@ -120,7 +121,7 @@ fn of_pupil(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Pi
                 blocks.push(Block::Picture(picture.clone()));
             }
             _ if has_picture && step.page == Page::Spectrum => {
-                let words = "Sketch the curve that you see, or that you expect.";
+                let words = said!("Sketch the curve that you see, or that you expect.");
                 blocks.push(Block::Words(words.to_owned()));
                 blocks.push(Block::Axis);
             }
@@ -128,48 +129,54 @@ fn of_pupil(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Pi
         }
         choices(blocks, step);
         if step.ask.is_some() {
-            blocks.push(Block::Led("Because", String::new()));
+            blocks.push(Block::Led(said!("Because"), String::new()));
             blocks.push(Block::Lines(2));
         }
         if let Some(task) = &step.task {
-            blocks.push(Block::Led("Do.", task.clone()));
-            blocks.push(Block::Led("What I saw", String::new()));
+            blocks.push(Block::Led(said!("Do."), task.clone()));
+            blocks.push(Block::Led(said!("What I saw"), String::new()));
             blocks.push(Block::Lines(2));
         }
     }
-    blocks.push(Block::Led("One sentence to remember", String::new()));
+    blocks.push(Block::Led(said!("One sentence to remember"), String::new()));
     blocks.push(Block::Lines(2));
 }
 
 fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Picture>>]) {
     head(blocks, lesson);
-    blocks.push(Block::Words(format!(
-        "Teacher's sheet. {} minutes, for {}.",
-        lesson.minutes,
-        lesson.audience_words()
+    blocks.push(Block::Words(tr!(
+        "Teacher's sheet. {minutes} minutes, for {audience}.",
+        minutes = lesson.minutes,
+        audience = lesson.audience_words()
     )));
-    blocks.push(Block::Led("Aim.", lesson.teaches.clone()));
-    blocks.push(Block::Led("Notes.", lesson.notes_for_teachers.clone()));
+    blocks.push(Block::Led(said!("Aim."), lesson.teaches.clone()));
+    blocks.push(Block::Led(
+        said!("Notes."),
+        lesson.notes_for_teachers.clone(),
+    ));
     for (index, step) in played.iter().enumerate() {
         step_head(blocks, index + 1, step);
         blocks.extend(step.seen.clone().map(Block::Picture));
         choices(blocks, step);
         let answers = step.ask.iter().flat_map(|(_, answers)| answers);
         for (letter, answer) in ('A'..).zip(answers) {
-            let mark = if answer.right { ", right" } else { "" };
-            let words = format!("{letter}{mark}: {}", answer.because);
+            let reason = &answer.because;
+            let words = match answer.right {
+                true => tr!("{letter}, right: {reason}", letter, reason),
+                false => format!("{letter}: {reason}"),
+            };
             blocks.push(Block::Words(words));
         }
         if let Some(task) = &step.task {
-            blocks.push(Block::Led("Do.", task.clone()));
+            blocks.push(Block::Led(said!("Do."), task.clone()));
         }
         if !step.explain.is_empty() {
-            blocks.push(Block::Led("Why.", step.explain.clone()));
+            blocks.push(Block::Led(said!("Why."), step.explain.clone()));
         }
     }
-    blocks.push(Block::Led("Remember.", lesson.remember.clone()));
-    blocks.push(Block::Led("Try next.", lesson.next.clone()));
-    blocks.push(Block::Led("Sources.", lesson.sources.join("; ")));
+    blocks.push(Block::Led(said!("Remember."), lesson.remember.clone()));
+    blocks.push(Block::Led(said!("Try next."), lesson.next.clone()));
+    blocks.push(Block::Led(said!("Sources."), lesson.sources.join("; ")));
 }
 
 /// A PNG as an address that holds it.
@@ -197,7 +204,8 @@ fn html(lesson: &Lesson, blocks: &[Block]) -> String {
                 format!("<div class=\"picture\">{}</div>", bare(svg))
             }
             Block::Picture(Picture::Png(png)) => format!(
-                "<div class=\"picture\"><img alt=\"The page of this step\" src=\"{}\"></div>",
+                "<div class=\"picture\"><img alt=\"{}\" src=\"{}\"></div>",
+                said!("The page of this step"),
                 data_url(png)
             ),
             Block::Axis => format!("<div class=\"picture\">{}</div>", axis_svg()),
@@ -221,7 +229,7 @@ fn markdown(blocks: &[Block], stem: &str, pictures: &mut Vec<(String, Vec<u8>)>)
                 pictures.push((name.clone(), bytes));
                 name
             });
-            format!("![The page of this step]({stem}{name})")
+            format!("![{}]({stem}{name})", said!("The page of this step"))
         };
         let part = match block {
             Block::Title(words) => format!("# {}", unmarked(words)),

@@ -40,11 +40,12 @@ pub(super) fn axis_svg() -> String {
              font-size=\"16\" stroke=\"none\" fill=\"#333333\">{nm}</text>"
         );
     }
+    let axis = said!("wavelength, nm");
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"300\" viewBox=\"0 0 900 \
          300\" font-family=\"DejaVu Sans, sans-serif\"><g stroke=\"#333333\" fill=\"none\"><path \
          d=\"M20 20V250H880\"/>{body}</g><text x=\"880\" y=\"296\" text-anchor=\"end\" \
-         font-size=\"16\" fill=\"#333333\">wavelength, nm</text></svg>"
+         font-size=\"16\" fill=\"#333333\">{axis}</text></svg>"
     )
 }
 

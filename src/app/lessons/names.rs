@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use serde::Deserialize;
 
-use crate::app::{App, Entry, library::Library, pages::Page};
+use crate::{
+    app::{App, Entry, library::Library, pages::Page},
+    languages::said,
+};
 
 /// A page by its word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -32,12 +35,12 @@ pub(super) fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
         return Ok(own.clone());
     }
     let preset = Library::bundled().find_or_make(name);
-    let preset = preset.map_err(|why| format!("found {why}"))?;
+    let preset = preset.map_err(|why| tr!("found {why}", why))?;
     if let Some(shipped) = app.bundled().iter().find(|e| e.key == preset.id()) {
         return Ok(shipped.clone());
     }
     let made = Entry::of_preset(&preset).map(Arc::new);
-    made.ok_or_else(|| format!("found a list of lines, {name}, expected a spectrum"))
+    made.ok_or_else(|| tr!("found a list of lines, {name}, expected a spectrum", name))
 }
 
 /// What a lesson calls the light that is followed.
@@ -49,11 +52,17 @@ const LIVE: &str = "live";
 /// As [`entry`], for a surface or a filter, and while nothing is followed.
 pub(super) fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
     let found = match name {
-        LIVE => app.live().ok_or("no light is followed yet, expected one"),
+        LIVE => app
+            .live()
+            .ok_or(said!("no light is followed yet, expected one")),
         name => Ok(entry(app, name)?),
     }?;
     match found.kind().is_factor() {
-        true => Err(format!("found {name} ({}), expected a light", found.kind())),
+        true => Err(tr!(
+            "found {name} ({kind}), expected a light",
+            name,
+            kind = said(found.kind().word())
+        )),
         false => Ok(found),
     }
 }
@@ -67,5 +76,5 @@ pub(super) fn find(name: &str, made: &[&str]) -> Result<(), String> {
         return Ok(());
     }
     let found = Library::bundled().find_or_make(name);
-    found.map(drop).map_err(|why| format!("found {why}"))
+    found.map(drop).map_err(|why| tr!("found {why}", why))
 }

@@ -57,33 +57,39 @@ const fn row(
 
 /// The figures that only a document has.
 pub(super) const OF_DOCUMENT: [OfDocument; 26] = [
-    row("order", "order N of the smooth part", Unit::NONE, |s| {
-        Some(s.app.document().settings.effective_order() as f64)
-    }),
-    row("numbers", "numbers that the model takes", Unit::NONE, |s| {
-        Some(s.app.derived().numbers() as f64)
-    }),
+    row(
+        "order",
+        later!("order N of the smooth part"),
+        Unit::NONE,
+        |s| Some(s.app.document().settings.effective_order() as f64),
+    ),
+    row(
+        "numbers",
+        later!("numbers that the model takes"),
+        Unit::NONE,
+        |s| Some(s.app.derived().numbers() as f64),
+    ),
     row(
         "points",
-        "points of the table within the range",
+        later!("points of the table within the range"),
         Unit::NONE,
         |s| Some(s.app.table_points() as f64),
     ),
     row(
         "spike_count",
-        "bright lines that the model keeps",
+        later!("bright lines that the model keeps"),
         Unit::NONE,
         |s| Some(spikes(s.app, 1.0)),
     ),
     row(
         "dip_count",
-        "dark lines that the model keeps",
+        later!("dark lines that the model keeps"),
         Unit::NONE,
         |s| Some(spikes(s.app, -1.0)),
     ),
     row(
         "spike_share",
-        "the lines' share of the power",
+        later!("the lines' share of the power"),
         Unit::PERCENT,
         |s| {
             let derived = s.app.derived();
@@ -97,118 +103,121 @@ pub(super) const OF_DOCUMENT: [OfDocument; 26] = [
     ),
     row(
         "threshold_percent",
-        "least share of a line, per cent",
+        later!("least share of a line, per cent"),
         Unit::NONE,
         |s| Some(s.app.document().settings.threshold_percent),
     ),
     row(
         "order_unseen",
-        "least order from which on a difference is hard to see",
+        later!("least order from which on a difference is hard to see"),
         Unit::NONE,
         |s| hard_to_see_from(s.app).map(|order| order as f64),
     ),
     row(
         "overlay_count",
-        "spectra compared with it",
+        later!("spectra compared with it"),
         Unit::NONE,
         |s| Some(s.app.document().laid_over().count() as f64),
     ),
     row(
         "delta_e_overlay",
-        "colour difference to the first spectrum compared with it",
+        later!("colour difference to the first spectrum compared with it"),
         Unit::DELTA_E,
         |s| beside_overlay(s.app.document()),
     ),
     row(
         "chain_count",
-        "things that the light meets",
+        later!("things that the light meets"),
         Unit::NONE,
         |s| Some(s.app.document().products.chain.len() as f64),
     ),
     row(
         "chain_thickness",
-        "thickness of the first of them",
+        later!("thickness of the first of them"),
         Unit::NONE,
         |s| Some(s.app.document().products.chain.first()?.thickness),
     ),
     row(
         "chain_luminance",
-        "share of the luminance that the chain leaves",
+        later!("share of the luminance that the chain leaves"),
         Unit::PERCENT,
         |s| chain_luminance(s.app),
     ),
     row(
         "chain_delta_e",
-        "colour difference of the model behind the chain",
+        later!("colour difference of the model behind the chain"),
         Unit::DELTA_E,
         |s| chain_delta_e(s.app),
     ),
     row(
         "filter_centre_nm",
-        "where the narrow filter stands, nm",
+        later!("where the narrow filter stands, nm"),
         Unit::NONE,
         |s| Some(s.app.document().pages.narrow.centre_nm),
     ),
     row(
         "desk_delta_e",
-        "colour difference of the desk's mixture to its aim, equally bright",
+        later!("colour difference of the desk's mixture to its aim, equally bright"),
         Unit::DELTA_E,
         off_aim,
     ),
-    row("desk_rf", "Rf of the desk's mixture", Unit::NONE, |s| {
-        desk(s)?.rf
-    }),
+    row(
+        "desk_rf",
+        later!("Rf of the desk's mixture"),
+        Unit::NONE,
+        |s| desk(s)?.rf,
+    ),
     row(
         "desk_ler",
-        "efficacy of radiation of the desk's mixture",
+        later!("efficacy of radiation of the desk's mixture"),
         LM_PER_WATT,
         |s| Some(desk(s)?.ler),
     ),
     row(
         "auction_lines",
-        "lines that the auction keeps for its goal",
+        later!("lines that the auction keeps for its goal"),
         Unit::NONE,
         |s| lines_bought(s, s.app.document().pages.auction.goal),
     ),
     row(
         "auction_lines_for_colours",
-        "lines that it keeps for the colours of surfaces",
+        later!("lines that it keeps for the colours of surfaces"),
         Unit::NONE,
         |s| lines_bought(s, Goal::PATCHES),
     ),
     row(
         "filter_delta_e_model",
-        "error of the model behind the narrow filter",
+        later!("error of the model behind the narrow filter"),
         Unit::DELTA_E,
         |s| behind_filter(s, 0),
     ),
     row(
         "filter_delta_e_series",
-        "error of the series alone behind it",
+        later!("error of the series alone behind it"),
         Unit::DELTA_E,
         |s| behind_filter(s, 1),
     ),
     row(
         "filter_delta_e_samples",
-        "error of plain samples behind it",
+        later!("error of plain samples behind it"),
         Unit::DELTA_E,
         |s| behind_filter(s, 2),
     ),
     row(
         "photo_lines",
-        "known lines that give the photograph its wavelengths",
+        later!("known lines that give the photograph its wavelengths"),
         Unit::NONE,
         |s| Some(lines_of(s.app).map_or(0, |best| best.matches.len()) as f64),
     ),
     row(
         "photo_left_out_nm",
-        "error of a line of the photograph that the others foretell",
+        later!("error of a line of the photograph that the others foretell"),
         NM,
         |s| Some(lines_of(s.app)?.left_out_rms_nm()),
     ),
     row(
         "photo_clipped",
-        "over-exposed lines of the photograph",
+        later!("over-exposed lines of the photograph"),
         Unit::NONE,
         |s| {
             let peaks = s.app.photograph().map(|found| &found.peaks().peaks);

@@ -166,10 +166,12 @@ fn absent(control: &str, names: &[String], page: Page) -> Option<String> {
         return None;
     }
     let first: Vec<&str> = names.iter().take(MOST).map(String::as_str).collect();
-    Some(format!(
-        "found the control \"{control}\" in point, expected the name of one on the page {}, such as {}",
-        page.word(),
-        first.join(", ")
+    Some(tr!(
+        "found the control \"{control}\" in point, expected the name of one on the page {page}, \
+         such as {names}",
+        control,
+        page = page.word(),
+        names = first.join(", ")
     ))
 }
 
@@ -194,7 +196,9 @@ fn play_step<T>(
         .transpose()?;
     run.look(app, *page);
     if run.is_done() {
-        return Err("found a task that is done before it begins, expected one to do".to_owned());
+        return Err(
+            said!("found a task that is done before it begins, expected one to do").to_owned(),
+        );
     }
     let question = step.ask.as_ref();
     let question = question
@@ -207,13 +211,13 @@ fn play_step<T>(
         run.look(app, *page);
         if !run.is_done() {
             let unmet = unmet(&task.until, &Scene { app, page: *page });
-            return Err(format!("its own show does not meet its task: {unmet}"));
+            return Err(tr!("its own show does not meet its task: {unmet}", unmet));
         }
     }
     run.tell(app, *page);
     let unmet = unmet(&step.claims, &Scene { app, page: *page });
     if !unmet.is_empty() {
-        return Err(format!("its claim does not hold: {unmet}"));
+        return Err(tr!("its claim does not hold: {unmet}", unmet));
     }
     goes_too_far(&step, (app, *page))?;
     comes_back(run, (app, *page), &say)?;
@@ -278,8 +282,11 @@ fn goes_too_far(step: &Step, (app, page): (&App, Page)) -> Result<(), String> {
         let scene = Scene { app: &app, page };
         let unmet = unmet(&step.claims, &scene);
         if task.until.iter().all(|one| one.holds(&scene)) && !unmet.is_empty() {
-            return Err(format!(
-                "found a task that is done with {words}, too, where its claim does not hold: {unmet}"
+            return Err(tr!(
+                "found a task that is done with {words}, too, where its claim does not hold: \
+                 {unmet}",
+                words,
+                unmet
             ));
         }
     }
@@ -293,36 +300,44 @@ fn comes_back(run: &Run, (app, page): (&App, Page), say: &str) -> Result<(), Str
     let index = run.index();
     for back in [None, index.checked_sub(1)] {
         let after = match back {
-            None => "Reset",
+            None => said!("Reset"),
             Some(step) => {
                 run.go(step, &mut app, &mut page);
                 run.go(index, &mut app, &mut page);
-                "Back and Next"
+                said!("Back and Next")
             }
         };
         if back.is_none() {
             run.set_stage(&mut app, &mut page);
         }
         if let Some(trouble) = run.trouble() {
-            return Err(format!("after {after}: {trouble}"));
+            return Err(tr!("after {after}: {trouble}", after, trouble));
         }
         run.look(&app, page);
         if run.is_done() {
-            return Err(format!(
-                "found a task that is done by {after}, expected one to do"
+            return Err(tr!(
+                "found a task that is done by {after}, expected one to do",
+                after
             ));
         }
         let said = run.shown(&app, page).say;
         if said != say {
-            return Err(format!(
-                "found \"{said}\" after {after}, expected \"{say}\""
+            return Err(tr!(
+                "found \"{said}\" after {after}, expected \"{say}\"",
+                said,
+                after,
+                say
             ));
         }
         let step = run.step();
         if step.task.is_none() {
             let unmet = unmet(&step.claims, &Scene { app: &app, page });
             if !unmet.is_empty() {
-                return Err(format!("its claim does not hold after {after}: {unmet}"));
+                return Err(tr!(
+                    "its claim does not hold after {after}: {unmet}",
+                    after,
+                    unmet
+                ));
             }
         }
     }

@@ -10,11 +10,15 @@ use super::{
     stage::Stage,
     words::filled,
 };
-use crate::app::{App, Command, Document, pages::Page};
+use crate::{
+    app::{App, Command, Document, pages::Page},
+    languages::said,
+};
 
 /// What stands in place of an explanation that what is shown does not bear out any more.
-pub(super) const SET_BACK: &str = "What is shown has changed since, so the reason does not fit it. \
-                                   Reset begins the step again.";
+pub(super) const SET_BACK: &str = later!(
+    "What is shown has changed since, so the reason does not fit it. Reset begins the step again."
+);
 
 /// What happened at a step. Its words have the figures of the moment in which they were said: what
 /// a person does afterwards makes none of them false.
@@ -230,7 +234,7 @@ impl Run {
         let meters = meters.collect();
         let explain = match told {
             Some(told) if told.explain.is_empty() || step.holds(&scene) => told.explain.clone(),
-            Some(_) => SET_BACK.to_owned(),
+            Some(_) => said(SET_BACK).to_owned(),
             None => String::new(),
         };
         Shown {

@@ -40,9 +40,9 @@ pub const FILES: [(&str, &str); 20] = [
 
 /// The paths through the shipped lessons: a title each, and how many of [`FILES`] follow it.
 pub const PATHS: [(&str, usize); 3] = [
-    ("School", 9),
-    ("Lighting", 4),
-    ("University and graphics", 7),
+    (later!("School"), 9),
+    (later!("Lighting"), 4),
+    (later!("University and graphics"), 7),
 ];
 
 /// The lesson that follows a shipped one in the list; none after the last, and for others.
@@ -103,15 +103,17 @@ fn text_of(path: &Path) -> Result<(String, String), Fault> {
         step: None,
         what,
     };
-    let bytes = bytes_of_file(path, MOST_BYTES)
-        .map_err(|(found, expected)| fault(format!("found {found}, expected {expected}")))?;
+    let bytes = bytes_of_file(path, MOST_BYTES).map_err(|(found, expected)| {
+        fault(tr!("found {found}, expected {expected}", found, expected))
+    })?;
     if bytes.len() as u64 > MOST_BYTES {
-        return Err(fault(format!(
-            "found more than {MOST_BYTES} bytes, expected at most so many"
+        return Err(fault(tr!(
+            "found more than {count} bytes, expected at most so many",
+            count = MOST_BYTES
         )));
     }
     if is_binary(&bytes) {
-        return Err(fault("found no text, expected a lesson".to_owned()));
+        return Err(fault(said!("found no text, expected a lesson").to_owned()));
     }
     Ok((file, decode_text(&bytes).text.into_owned()))
 }
@@ -142,7 +144,7 @@ pub fn of_folder(folder: &Path) -> (Vec<Lesson>, Vec<Fault>) {
 /// # Errors
 /// Why it cannot be written, a sentence.
 pub fn keep(folder: &Path, lesson: &Lesson) -> Result<(), String> {
-    let not_kept = |why: String| format!("{} is not kept: {why}.", lesson.title);
+    let not_kept = |why: String| tr!("{title} is not kept: {why}.", title = lesson.title, why);
     std::fs::create_dir_all(folder).map_err(|why| not_kept(why.to_string()))?;
     let path = folder.join(format!("{}.json", lesson.name));
     save_atomically(&path, lesson.text.as_bytes()).map_err(|why| not_kept(why.to_string()))
@@ -157,7 +159,11 @@ pub fn put_away(folder: &Path, lesson: &Lesson) -> Result<String, String> {
     let away = folder.join(format!("{}.json.removed", lesson.name));
     match std::fs::rename(&path, &away) {
         Ok(()) => Ok(shown(&away)),
-        Err(why) => Err(format!("{} is not removed: {why}.", lesson.title)),
+        Err(why) => Err(tr!(
+            "{title} is not removed: {why}.",
+            title = lesson.title,
+            why
+        )),
     }
 }
 
@@ -185,9 +191,9 @@ pub fn read_named(word: &str) -> Result<Arc<Lesson>, Vec<Fault>> {
     Err(vec![Fault {
         file: word.to_owned(),
         step: None,
-        what: format!(
-            "found no such lesson or file, expected one of {}",
-            names.join(", ")
+        what: tr!(
+            "found no such lesson or file, expected one of {names}",
+            names = names.join(", ")
         ),
     }])
 }

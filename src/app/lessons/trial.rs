@@ -6,7 +6,6 @@ use super::{
 };
 use crate::{
     app::{App, Command, Entry, memo::ByAddress, studies::Question},
-    io::many::many,
     study::Progress,
 };
 
@@ -41,7 +40,8 @@ impl Question for TrialAsk {
         };
         if lesson.light().is_none() {
             return Some(Trial {
-                headline: "The lesson names no light that another could stand for.".to_owned(),
+                headline: said!("The lesson names no light that another could stand for.")
+                    .to_owned(),
                 faults: Vec::new(),
             });
         }
@@ -75,29 +75,33 @@ impl Trial {
     fn of(lesson: &Lesson, light: &str, walked: Result<Vec<Fault>, Fault>) -> Self {
         let (steps, count) = (lesson.steps.len(), lesson.checks());
         let said = |fault: &Fault| match fault.step {
-            Some(step) => format!("Step {step}: {}.", fault.what),
+            Some(step) => tr!("Step {step}: {fault}.", step, fault = fault.what),
             None => format!("{}.", fault.what),
         };
         match walked {
             Err(why) => Self {
-                headline: format!("The lesson cannot be taken with {light}."),
+                headline: tr!("The lesson cannot be taken with {light}.", light),
                 faults: vec![said(&why)],
             },
             Ok(faults) if faults.is_empty() => Self {
-                headline: format!(
-                    "With {light} everything holds: {} in {}.",
-                    many(count, "check", "checks"),
-                    many(steps, "step", "steps")
+                headline: tr!(
+                    "With {light} everything holds: {checks} in {n} step."
+                        | "With {light} everything holds: {checks} in {n} steps." % steps,
+                    light,
+                    checks = tr!("{n} check" | "{n} checks" % count)
                 ),
                 faults: Vec::new(),
             },
             Ok(faults) => Self {
-                headline: format!(
-                    "With {light}, {} of {} {}.",
-                    faults.len(),
-                    many(steps, "step", "steps"),
-                    if faults.len() == 1 { "fails" } else { "fail" }
-                ),
+                headline: match steps {
+                    1 => tr!("With {light}, 1 of 1 step fails.", light),
+                    steps => tr!(
+                        "With {light}, {n} of {steps} steps fails."
+                            | "With {light}, {n} of {steps} steps fail." % faults.len(),
+                        light,
+                        steps
+                    ),
+                },
                 faults: faults.iter().map(said).collect(),
             },
         }

@@ -111,7 +111,11 @@ fn name_scandium(scene: &mut Scene<'_>, groups: [Option<usize>; 7], with_sodium:
         if index == SC_YELLOW && with_sodium {
             let sodium = scene.name_of(sodium::NA, &NA_OTHERS[0]).words;
             told = Told {
-                words: format!("{SC} {at_nm:.0}, with {sodium} in it"),
+                words: tr!(
+                    "{scandium}, with {sodium} in it",
+                    scandium = told.words,
+                    sodium
+                ),
                 label: format!("{SC} + {sodium}"),
                 ..told
             };

@@ -8,7 +8,7 @@ use super::{
     peaks::{Peak, Points},
     phosphors::{EUROPIUM, TERBIUM, has_terbium, host_of_europium, name_europium, name_terbium},
     scene::{BandTold, Scene, Told, is_line},
-    sodium::{NA, REVERSED},
+    sodium::NA,
     table::GASES,
 };
 use crate::spectrum::{Line, Outside, Sampled};
@@ -120,7 +120,7 @@ impl Identified {
         let has = |symbol: &str| elements.contains(&symbol);
         let is_reversed = || {
             let mut told = self.told.iter().flatten();
-            told.any(|told| told.words.ends_with(REVERSED))
+            told.any(|told| told.is_reversed)
         };
         if HALIDES.iter().any(|symbol| has(symbol)) {
             Some("metal-halide")

@@ -5,6 +5,7 @@ use super::{
     scene::{BandTold, Scene, Told},
     table::{BandOf, EU_OXIDE, EU_VANADATE, HG_GREEN, NO_EU, TB},
 };
+use crate::languages::fixed;
 
 /// Symbols of the phosphors' elements.
 pub(super) const TERBIUM: &str = "Tb";
@@ -60,7 +61,8 @@ pub(super) fn name_terbium(scene: &mut Scene<'_>) {
     for band in &TB {
         let has_green = (band.within_nm[0]..=band.within_nm[1]).contains(&HG_GREEN);
         let with = (has_green && scene.has(HG)).then(|| scene.name_of(HG, &[HG_GREEN]).words);
-        name_band(scene, TERBIUM, "terbium", band, with.as_deref());
+        let words = tr!("terbium band {nm}", nm = fixed(band.about_nm, 0));
+        name_band(scene, (TERBIUM, words), band, with.as_deref());
     }
 }
 
@@ -71,28 +73,29 @@ pub(super) fn name_europium(scene: &mut Scene<'_>, host: Host) {
         Host::Vanadate => &EU_VANADATE,
     };
     for band in bands {
-        name_band(scene, EUROPIUM, "europium", band, None);
+        let words = tr!("europium band {nm}", nm = fixed(band.about_nm, 0));
+        name_band(scene, (EUROPIUM, words), band, None);
     }
 }
 
 fn name_band(
     scene: &mut Scene<'_>,
-    symbol: &'static str,
-    name: &str,
+    (symbol, words): (&'static str, String),
     band: &BandOf,
     with: Option<&str>,
 ) {
-    let words = format!("{name} band {:.0}", band.about_nm);
     let told = match with {
         Some(line) => Told {
             symbol,
-            words: format!("{words}, with {line} in it"),
-            label: format!("{symbol} band + {line}"),
+            words: tr!("{band}, with {line} in it", band = words, line),
+            label: tr!("{symbol} band + {line}", symbol, line),
+            is_reversed: false,
         },
         None => Told {
             symbol,
             words,
-            label: format!("{symbol} band {:.0}", band.about_nm),
+            label: tr!("{symbol} band {nm}", symbol, nm = fixed(band.about_nm, 0)),
+            is_reversed: false,
         },
     };
     while let Some(peak) = scene.between(band.within_nm) {

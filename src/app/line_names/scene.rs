@@ -13,6 +13,8 @@ pub(super) struct Told {
     pub words: String,
     /// The name where there is little room.
     pub label: String,
+    /// A pair that is dark in the middle.
+    pub is_reversed: bool,
 }
 
 impl Told {
@@ -22,6 +24,7 @@ impl Told {
             symbol,
             label: words.clone(),
             words,
+            is_reversed: false,
         }
     }
 }

@@ -9,8 +9,6 @@ use super::{
 /// Symbols.
 pub(super) const NA: &str = "Na";
 const K: &str = "K";
-/// How the name of a reversed line ends.
-pub(super) const REVERSED: &str = "self-reversed";
 
 /// How sodium's yellow pair looks.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,13 +144,14 @@ pub(super) fn name_yellow(scene: &mut Scene<'_>, yellow: &Yellow) {
     let label = format!("{NA} D");
     let (peaks, words) = match yellow {
         Yellow::Plain(peak) => (vec![*peak], words),
-        Yellow::Broadened(peak) => (vec![*peak], format!("{words}, broadened")),
-        Yellow::Reversed(peaks) => (peaks.clone(), format!("{words}, {REVERSED}")),
+        Yellow::Broadened(peak) => (vec![*peak], tr!("{words}, broadened", words)),
+        Yellow::Reversed(peaks) => (peaks.clone(), tr!("{words}, self-reversed", words)),
     };
     let told = Told {
         symbol: NA,
         words,
         label,
+        is_reversed: matches!(yellow, Yellow::Reversed(_)),
     };
     scene.tell(peaks, &told);
 }

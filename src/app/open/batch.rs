@@ -22,9 +22,12 @@ use super::{
     summary::{FileRow, Summary},
     unshaken,
 };
-use crate::app::{
-    opened::Opened,
-    worker::{Wake, Worker},
+use crate::{
+    app::{
+        opened::Opened,
+        worker::{Wake, Worker},
+    },
+    languages::said,
 };
 
 /// Files read at the same time.
@@ -35,7 +38,7 @@ const MOST_AT_ONCE: usize = 2;
 pub const MOST_KEPT: u64 = 2 << 30;
 
 /// Said of a file that was not reached.
-const CANCELLED: &str = "cancelled before its turn";
+const CANCELLED: &str = later!("cancelled before its turn");
 
 /// A batch that has come to its end, or was cancelled.
 #[derive(Debug)]
@@ -230,7 +233,7 @@ impl Batch {
         let files = listed.into_iter().zip(came).map(|(listed, came)| FileRead {
             label: listed.label,
             path: Some(listed.path),
-            came: came.unwrap_or_else(|| Came::NotRead(CANCELLED.to_owned())),
+            came: came.unwrap_or_else(|| Came::NotRead(said(CANCELLED).to_owned())),
         });
         Finished {
             files: files.collect(),
@@ -292,7 +295,7 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         return Came::Loaded(Loaded::Refused(why.clone()));
     }
     if kept.load(Ordering::Relaxed) > MOST_KEPT {
-        let words = "the files before it fill 2 GiB of memory; open it by itself";
+        let words = said!("the files before it fill 2 GiB of memory; open it by itself");
         return Came::NotRead(words.to_owned());
     }
     let loaded = unshaken(file.path.display(), || load_path(&file.path));
@@ -302,7 +305,7 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         }
         // It would put everything else away.
         Loaded::Project { .. } if file.in_folder => {
-            let words = "a project of this program; open it by itself";
+            let words = said!("a project of this program; open it by itself");
             return Came::NotRead(words.to_owned());
         }
         Loaded::Project { .. } | Loaded::Refused(_) => {}

@@ -89,7 +89,10 @@ impl Walk<'_> {
         self.below(folder, folder, 0);
         if (self.found.len(), self.seen) == before && !(self.stop)() {
             let name = name_of(folder);
-            let words = format!("{name}: found no file in it, expected a folder with files");
+            let words = tr!(
+                "{name}: found no file in it, expected a folder with files",
+                name
+            );
             self.add(folder, name, Some(words));
         }
     }
@@ -108,7 +111,11 @@ impl Walk<'_> {
         let mut items = match items {
             Ok(items) => items,
             Err(why) => {
-                let words = format!("{label}: found {}, expected a folder to read", why.kind());
+                let words = tr!(
+                    "{label}: found {fault}, expected a folder to read",
+                    label,
+                    fault = why.kind()
+                );
                 return self.add(folder, label, Some(words));
             }
         };
@@ -125,9 +132,11 @@ impl Walk<'_> {
             }
             if is_folder && depth == MOST_DEPTH {
                 let label = label_of(top, &path);
-                let words = format!(
-                    "{label}: found a folder more than {MOST_DEPTH} deep, expected it to be \
-                     opened by itself"
+                let words = tr!(
+                    "{label}: found a folder more than {depth} deep, expected it to be opened by \
+                     itself",
+                    label,
+                    depth = MOST_DEPTH
                 );
                 self.add(&path, label, Some(words));
             } else if is_folder {
@@ -137,9 +146,11 @@ impl Walk<'_> {
                 self.seen += 1;
                 if self.taken == MOST_FILES {
                     let label = label_of(top, &path);
-                    let words = format!(
-                        "{label}: found more than {MOST_FILES} files, expected at most so many in \
-                         one go; this one and those behind it were left out"
+                    let words = tr!(
+                        "{label}: found more than {count} files, expected at most so many in one \
+                         go; this one and those behind it were left out",
+                        label,
+                        count = MOST_FILES
                     );
                     self.taken += 1;
                     return self.add(&path, label, Some(words));

@@ -11,7 +11,7 @@ use crate::{
         cells::{Columns, Table, cell, column},
         opened::Opened,
     },
-    io::{Guessed, OpenQuestion, many::many, shown},
+    io::{Guessed, OpenQuestion, shown},
 };
 
 /// Formats that the headline tells by name.
@@ -67,8 +67,8 @@ impl OpenBefore {
     pub fn words(self) -> &'static str {
         match self {
             Self::No => "",
-            Self::Same => "open already",
-            Self::OtherValues => "open already with other values, opened beside them",
+            Self::Same => said!("open already"),
+            Self::OtherValues => said!("open already with other values, opened beside them"),
         }
     }
 }
@@ -120,7 +120,7 @@ impl FileRow {
     pub fn format(&self) -> &'static str {
         match &self.outcome {
             Outcome::Read { format, .. } => format,
-            Outcome::Project => "project",
+            Outcome::Project => said!("project"),
             Outcome::Refused(_) | Outcome::NotRead(_) => "–",
         }
     }
@@ -140,8 +140,8 @@ impl FileRow {
         match self.counts() {
             _ if !matches!(self.outcome, Outcome::Read { .. }) => "–".to_owned(),
             [spectra, 0] => spectra.to_string(),
-            [0, images] => many(images, "image", "images"),
-            [spectra, images] => format!("{spectra}, {}", many(images, "image", "images")),
+            [0, images] => images_of(images),
+            [spectra, images] => format!("{spectra}, {}", images_of(images)),
         }
     }
 
@@ -150,11 +150,11 @@ impl FileRow {
         let story = match &self.outcome {
             Outcome::Read { how, doubts, .. } if doubts.is_empty() => how.clone(),
             Outcome::Read { how, doubts, .. } => {
-                format!("doubtful: {}; {how}", doubts.join("; "))
+                tr!("doubtful: {doubts}; {how}", doubts = doubts.join("; "), how)
             }
-            Outcome::Project => "a project, opened".to_owned(),
-            Outcome::Refused(why) => format!("refused: {}", self.without_its_name(why)),
-            Outcome::NotRead(why) => format!("not read: {}", self.without_its_name(why)),
+            Outcome::Project => said!("a project, opened").to_owned(),
+            Outcome::Refused(why) => tr!("refused: {why}", why = self.without_its_name(why)),
+            Outcome::NotRead(why) => tr!("not read: {why}", why = self.without_its_name(why)),
         };
         match self.before.words() {
             "" => story,
@@ -171,7 +171,7 @@ impl FileRow {
                 let at_line = why[..why.len() - rest.len()].ends_with(", ");
                 Some(format!("{name}{}{rest}", if at_line { ", " } else { ": " }))
             }
-            Outcome::NotRead(why) => Some(format!("{name}: not read, {why}")),
+            Outcome::NotRead(why) => Some(tr!("{name}: not read, {why}", name, why)),
             Outcome::Read { .. } | Outcome::Project => None,
         }
     }
@@ -185,6 +185,10 @@ impl FileRow {
         });
         short.next().unwrap_or(why)
     }
+}
+
+fn images_of(count: usize) -> String {
+    tr!("{n} image" | "{n} images" % count)
 }
 
 fn read(opened: &Opened) -> Outcome {
@@ -202,14 +206,9 @@ fn read(opened: &Opened) -> Outcome {
 /// Doubtful guesses in words, each once however many spectra share it.
 fn doubts(guesses: &[OpenQuestion]) -> Vec<String> {
     // Guesses for one reason in one phrase, whatever numbers of each spectrum stand behind it.
-    let mut all: Vec<(&str, Vec<String>, &str, &str)> = Vec::new();
+    let mut all: Vec<(Guessed, Vec<String>, &str, &str)> = Vec::new();
     for guess in guesses.iter().filter(|guess| guess.is_doubtful()) {
-        let what = match guess.what {
-            Guessed::Kind => "taken for",
-            Guessed::WavelengthUnit => "wavelengths taken as",
-            Guessed::Percent => "values taken as",
-            Guessed::Columns => "taken as",
-        };
+        let what = guess.what;
         let (chosen, because) = (guess.chosen.to_string(), guess.because.as_str());
         let reason = because.split(" (").next().unwrap_or(because);
         let known = all
@@ -227,8 +226,18 @@ fn doubts(guesses: &[OpenQuestion]) -> Vec<String> {
             None => all.push((what, vec![chosen], reason, because)),
         }
     }
-    let phrase = |(what, chosen, _, because): (&str, Vec<String>, &str, &str)| {
-        format!("{what} {} ({because})", chosen.join(" and "))
+    let phrase = |(what, chosen, _, because): (Guessed, Vec<String>, &str, &str)| {
+        let chosen = chosen.into_iter();
+        let chosen = chosen.reduce(|one, other| tr!("{one} and {other}", one, other));
+        let chosen = chosen.unwrap_or_default();
+        match what {
+            Guessed::Kind => tr!("taken for {chosen} ({because})", chosen, because),
+            Guessed::WavelengthUnit => {
+                tr!("wavelengths taken as {chosen} ({because})", chosen, because)
+            }
+            Guessed::Percent => tr!("values taken as {chosen} ({because})", chosen, because),
+            Guessed::Columns => tr!("taken as {chosen} ({because})", chosen, because),
+        }
     };
     all.into_iter().map(phrase).collect()
 }
@@ -252,37 +261,51 @@ impl Summary {
     /// refused".
     pub fn headline(&self) -> String {
         let read = self.count(FileRow::is_read);
-        let stopped = if self.cancelled { "Cancelled: " } else { "" };
-        let files = many(self.rows.len(), "file", "files");
-        let mut line = format!("{stopped}{read} of {files} read");
+        let files = self.rows.len();
+        let mut line = match self.cancelled {
+            true => tr!(
+                "Cancelled: {read} of {n} file read"
+                    | "Cancelled: {read} of {n} files read" % files,
+                read
+            ),
+            false => tr!(
+                "{read} of {n} file read" | "{read} of {n} files read" % files,
+                read
+            ),
+        };
         if read > 0 {
-            line += &format!(", {}", many(self.spectra(), "spectrum", "spectra"));
+            line += ", ";
+            line += &tr!("{n} spectrum" | "{n} spectra" % self.spectra());
         }
         match self.images() {
             0 => {}
-            images => line += &format!(" and {}", many(images, "image", "images")),
+            images => line = tr!("{line} and {images}", line, images = images_of(images)),
         }
         if read > 0 {
             line += &format!(": {}", self.formats());
         }
+        let same = self.count(|row| row.before == OpenBefore::Same);
+        let others = self.count(|row| row.before == OpenBefore::OtherValues);
+        let doubtful = self.count(FileRow::is_doubtful);
+        let refused = self.count(FileRow::is_refused);
+        let not_read = self.count(|row| matches!(row.outcome, Outcome::NotRead(_)));
         for (count, words) in [
+            (same, tr!("{n} open already" | "{n} open already" % same)),
             (
-                self.count(|row| row.before == OpenBefore::Same),
-                "open already",
+                others,
+                tr!("{n} open already with other values"
+                    | "{n} open already with other values" % others),
             ),
             (
-                self.count(|row| row.before == OpenBefore::OtherValues),
-                "open already with other values",
+                doubtful,
+                tr!("{n} with a doubtful guess" | "{n} with a doubtful guess" % doubtful),
             ),
-            (self.count(FileRow::is_doubtful), "with a doubtful guess"),
-            (self.count(FileRow::is_refused), "refused"),
-            (
-                self.count(|row| matches!(row.outcome, Outcome::NotRead(_))),
-                "not read",
-            ),
+            (refused, tr!("{n} refused" | "{n} refused" % refused)),
+            (not_read, tr!("{n} not read" | "{n} not read" % not_read)),
         ] {
             if count > 0 {
-                line += &format!("; {count} {words}");
+                line += "; ";
+                line += &words;
             }
         }
         line
@@ -305,7 +328,7 @@ impl Summary {
             .map(|(format, count)| format!("{count} {format}"))
             .collect();
         if rest > 0 {
-            told.push(format!("{rest} of other formats"));
+            told.push(tr!("{count} of other formats", count = rest));
         }
         told.join(", ")
     }

@@ -14,9 +14,9 @@ use crate::study::Goal;
 pub(super) const ROW: Row = row(
     Page::Auction,
     Place::Numbers,
-    ("Auction", "auction"),
+    (later!("Auction"), "auction"),
     "spend",
-    "The best use of the next numbers: a wave, a line or the lines' widths.",
+    later!("The best use of the next numbers: a wave, a line or the lines' widths."),
 )
 .under(Page::Tradeoff);
 
@@ -40,10 +40,11 @@ impl Default for AuctionState {
 }
 
 impl PageState for AuctionState {
-    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Most numbers", SPENT, 0 "",
-        "The most numbers that are bought.")];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: later!("Most numbers"), SPENT, 0 "",
+        later!("The most numbers that are bought."))];
 
-    const NAMES: &'static [(&'static str, &'static str)] = &[("goal", "what is made small")];
+    const NAMES: &'static [(&'static str, &'static str)] =
+        &[("goal", later!("what is made small"))];
 
     fn settle(&mut self) {
         self.goal = self.goal.clamped();

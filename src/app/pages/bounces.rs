@@ -7,9 +7,9 @@ use super::{Page, Place, Row, row, states::PageState};
 pub(super) const ROW: Row = row(
     Page::Bounces,
     Place::Numbers,
-    ("Bounces", "bounces"),
+    (later!("Bounces"), "bounces"),
     "filters",
-    "Cost of each way of forming products, as bounces add up.",
+    later!("Cost of each way of forming products, as bounces add up."),
 )
 .under(Page::Coefficients);
 
@@ -33,6 +33,8 @@ impl Default for BouncesMemory {
 }
 
 impl PageState for BouncesMemory {
-    const NAMES: &'static [(&'static str, &'static str)] =
-        &[("added", "the error drawn"), ("log", "the vertical axis")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("added", later!("the error drawn")),
+        ("log", later!("the vertical axis")),
+    ];
 }

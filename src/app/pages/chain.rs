@@ -7,9 +7,9 @@ use super::{Page, Place, Row, row, states::PageState};
 pub(super) const ROW: Row = row(
     Page::Chain,
     Place::Through,
-    ("Chain", "chain"),
+    (later!("Chain"), "chain"),
     "filters",
-    "The light through filters and off surfaces, exact beside model.",
+    later!("The light through filters and off surfaces, exact beside model."),
 )
 .once(&["products"]);
 
@@ -24,6 +24,8 @@ pub struct ChainMemory {
 }
 
 impl PageState for ChainMemory {
-    const NAMES: &'static [(&'static str, &'static str)] =
-        &[("stage", "the step drawn"), ("light", "the step drawn")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("stage", later!("the step drawn")),
+        ("light", later!("the step drawn")),
+    ];
 }

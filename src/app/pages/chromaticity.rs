@@ -6,18 +6,18 @@ use crate::app::charts::quality::DiagramShows;
 pub(super) const ROW: Row = row(
     Page::Chromaticity,
     Place::Quality,
-    ("Chromaticity", "chromaticity"),
+    (later!("Chromaticity"), "chromaticity"),
     "quality",
-    "The light among colours, whites and screens.",
+    later!("The light among colours, whites and screens."),
 );
 
 impl PageState for DiagramShows {
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("uniform", "the plane"),
-        ("gamuts", "gamuts of screens"),
-        ("whites", "nominal whites"),
-        ("ellipses", "MacAdam's ellipses"),
-        ("surfaces", "the outline of surfaces"),
-        ("near", "the neighbourhood of the light"),
+        ("uniform", later!("the plane")),
+        ("gamuts", later!("gamuts of screens")),
+        ("whites", later!("nominal whites")),
+        ("ellipses", later!("MacAdam's ellipses")),
+        ("surfaces", later!("the outline of surfaces")),
+        ("near", later!("the neighbourhood of the light")),
     ];
 }

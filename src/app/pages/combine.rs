@@ -25,6 +25,7 @@ use crate::{
         state::App,
         studies::Question,
     },
+    languages::said,
     measurements::{Kernel, Known, Normalise},
     study::Progress,
 };
@@ -32,9 +33,12 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::Combine,
     Place::Look,
-    ("Combine", "combine"),
+    (later!("Combine"), "combine"),
     "instrument",
-    "Your own measurements with their uncertainty: means of scans, differences, quotients, slits.",
+    later!(
+        "Your own measurements with their uncertainty: means of scans, differences, quotients, \
+         slits."
+    ),
 );
 
 /// Keys of the light and the filter that stand beside the library's light in examples.
@@ -104,18 +108,18 @@ impl PageState for CombineState {
     const KNOBS: &'static [Knob<Self>] = &[Self::WIDTH, Self::KELVIN, Self::DOUBT];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("verb", "the combination"),
-        ("slots", "the spectra chosen"),
-        ("scans", "the scans chosen"),
-        ("others", "the scans compared with"),
-        ("is_told", "a width that is known"),
-        ("shape", "the shape of the slit"),
-        ("keep_all", "everything kept"),
-        ("of_surface", "a reflectance or a transmittance"),
-        ("equal", "the scale of the lights"),
-        ("instruments", "the instruments kept"),
-        ("instrument", "the instrument chosen"),
-        ("is_daylight", "the light that is known"),
+        ("verb", later!("the combination")),
+        ("slots", later!("the spectra chosen")),
+        ("scans", later!("the scans chosen")),
+        ("others", later!("the scans compared with")),
+        ("is_told", later!("a width that is known")),
+        ("shape", later!("the shape of the slit")),
+        ("keep_all", later!("everything kept")),
+        ("of_surface", later!("a reflectance or a transmittance")),
+        ("equal", later!("the scale of the lights")),
+        ("instruments", later!("the instruments kept")),
+        ("instrument", later!("the instrument chosen")),
+        ("is_daylight", later!("the light that is known")),
     ];
 
     fn settle(&mut self) {
@@ -132,12 +136,17 @@ impl PageState for CombineState {
 }
 
 impl CombineState {
-    pub const WIDTH: Knob<Self> = knob!(fwhm_nm: "Slit", Reach::Within(0.5, 30.0), 1 " nm",
-        "Full width at half of the slit's top.");
-    pub const KELVIN: Knob<Self> = knob!(kelvin: "Temperature", Reach::Within(1000.0, 25_000.0), 0 " K",
-        "Colour temperature of the known light; of daylight 4000 K or more.");
-    pub const DOUBT: Knob<Self> = knob!(kelvin_doubt: "Its uncertainty", Reach::Within(0.0, 1000.0), 0 " K",
-        "Standard uncertainty of the temperature; every light that is corrected shares it.");
+    pub const WIDTH: Knob<Self> = knob!(fwhm_nm: later!("Slit"), Reach::Within(0.5, 30.0), 1 " nm",
+        later!("Full width at half of the slit's top."));
+    pub const KELVIN: Knob<Self> = knob!(kelvin: later!("Temperature"),
+        Reach::Within(1000.0, 25_000.0), 0 " K",
+        later!("Colour temperature of the known light; of daylight 4000 K or more."));
+    pub const DOUBT: Knob<Self> = knob!(kelvin_doubt: later!(
+        "Its uncertainty"
+    ), Reach::Within(0.0, 1000.0), 0 " K",
+        later!(
+            "Standard uncertainty of the temperature; every light that is corrected shares it."
+        ));
 
     /// What is done with the spectra; `None` for a comparison and for what is learnt, which make no
     /// spectrum, and without an instrument.
@@ -223,17 +232,18 @@ impl CombineState {
         let slots = self.verb.slots();
         let empty = slots.iter().zip(&self.slots);
         let empty = empty.filter(|(_, key)| key.is_none());
-        let names: Vec<&str> = empty.map(|(slot, _)| slot.name).collect();
-        match (self.verb, names.is_empty()) {
-            (_, false) => Some(format!("Choose {}.", names.join(" and "))),
+        let names = empty.map(|(slot, _)| said(slot.name).to_owned());
+        let names = names.reduce(|one, other| tr!("{one} and {other}", one, other));
+        match (self.verb, names) {
+            (_, Some(places)) => Some(tr!("Choose {places}.", places)),
             (Verb::Changed, _) if self.scans.is_empty() => {
-                Some("Mark the scans of the first set.".to_owned())
+                Some(said!("Mark the scans of the first set.").to_owned())
             }
             (Verb::Changed, _) if self.others.is_empty() => {
-                Some("Mark the scans that they are compared with.".to_owned())
+                Some(said!("Mark the scans that they are compared with.").to_owned())
             }
             (Verb::Corrected, _) if self.instruments.is_empty() => {
-                Some("No instrument is kept yet: make one first.".to_owned())
+                Some(said!("No instrument is kept yet: make one first.").to_owned())
             }
             _ => None,
         }
@@ -309,7 +319,7 @@ impl CombineAsk {
         let (known, words) = usual.known();
         let doubt = usual.kelvin_doubt;
         let found = learnt(&measurements(&reading), &known, &words, doubt, None)?;
-        let instrument = found.instrument.ok_or("nothing was learnt")?;
+        let instrument = found.instrument.ok_or(said!("nothing was learnt"))?;
         let text = instruments::text(&instrument);
         let instrument = instruments::json_of(&text)?;
         Act::Corrected { instrument }.of(parts)

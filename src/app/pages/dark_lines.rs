@@ -7,9 +7,9 @@ use super::{Page, Place, Row, row, states::PageState};
 pub(super) const ROW: Row = row(
     Page::Absorption,
     Place::Look,
-    ("Dark lines", "dark-lines"),
+    (later!("Dark lines"), "dark-lines"),
     "missing",
-    "Absorption lines as lines of negative weight, with their names.",
+    later!("Absorption lines as lines of negative weight, with their names."),
 )
 .once(&["absorption"]);
 
@@ -22,5 +22,5 @@ pub struct AbsorptionMemory {
 }
 
 impl PageState for AbsorptionMemory {
-    const NAMES: &'static [(&'static str, &'static str)] = &[("example", "the example")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[("example", later!("the example"))];
 }

@@ -11,9 +11,9 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::FromColour,
     Place::Design,
-    ("From a colour", "from-colour"),
+    (later!("From a colour"), "from-colour"),
     "recover",
-    "Which spectra have this colour?",
+    later!("Which spectra have this colour?"),
 );
 
 /// Lights that a recovered surface is looked at under, by their keys.
@@ -65,13 +65,13 @@ impl Default for FromColour {
 
 impl PageState for FromColour {
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("given", "the colour"),
-        ("light", "the light that it is seen under"),
-        ("method", "the way"),
-        ("lines", "the lines"),
-        ("lamp", "the lamp behind the lines"),
-        ("second", "the second colour"),
-        ("telling", "how the colour is told"),
+        ("given", later!("the colour")),
+        ("light", later!("the light that it is seen under")),
+        ("method", later!("the way")),
+        ("lines", later!("the lines")),
+        ("lamp", later!("the lamp behind the lines")),
+        ("second", later!("the second colour")),
+        ("telling", later!("how the colour is told")),
     ];
 
     fn settle(&mut self) {

@@ -21,9 +21,9 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::Gem,
     Place::Picture,
-    ("Gem", "gem"),
+    (later!("Gem"), "gem"),
     "prism",
-    "A cut gem under the light, traced ray by ray; under another light at once.",
+    later!("A cut gem under the light, traced ray by ray; under another light at once."),
 );
 
 /// Sides of the gem's picture, pixels.
@@ -51,9 +51,9 @@ impl GemColour {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Clear => "clear",
-            Self::Grey => "grey",
-            Self::Filter => "that of a filter",
+            Self::Clear => said!("clear"),
+            Self::Grey => said!("grey"),
+            Self::Filter => said!("that of a filter"),
         }
     }
 }
@@ -77,9 +77,9 @@ impl LightPart {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Whole => "the whole light",
-            Self::Lines => "its lines alone",
-            Self::Smooth => "its smooth part alone",
+            Self::Whole => said!("the whole light"),
+            Self::Lines => said!("its lines alone"),
+            Self::Smooth => said!("its smooth part alone"),
         }
     }
 }
@@ -152,14 +152,14 @@ impl GemMemory {
         }
     }
 
-    pub const GREY: Knob<Self> = knob!(grey: "Takes away", Reach::Within(0.0, 2.0), 2 "",
-        "The part of the light that it absorbs for each radius of the girdle.");
-    pub const THICKNESS: Knob<Self> = knob!(thickness: "as thick as",
-        Reach::Within(0.5, 50.0), 1 " radii",
-        "How thick the filter is, radii of the girdle.");
-    const HEIGHT: Knob<Self> = knob!(height_deg: "Height of the camera",
+    pub const GREY: Knob<Self> = knob!(grey: later!("Takes away"), Reach::Within(0.0, 2.0), 2 "",
+        later!("The part of the light that it absorbs for each radius of the girdle."));
+    pub const THICKNESS: Knob<Self> = knob!(thickness: later!("as thick as"),
+        Reach::Within(0.5, 50.0), 1 later!(" radii"),
+        later!("How thick the filter is, radii of the girdle."));
+    const HEIGHT: Knob<Self> = knob!(height_deg: later!("Height of the camera"),
         Reach::Within(15.0, 89.0), 1 "\u{b0}",
-        "Below it looks past the crown, straight above it has no up.");
+        later!("Below it looks past the crown, straight above it has no up."));
 
     /// The parts of the cut: those that change the look most, then the others.
     pub fn cut_knobs() -> impl Iterator<Item = &'static Knob<Self>> {
@@ -185,39 +185,39 @@ const USUAL_HEIGHT_DEG: f64 = 64.0;
 
 impl PageState for GemMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        knob!(cut.pavilion_deg: "Pavilion", Reach::Within(30.0, 55.0), 2 "\u{b0}",
-            "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up."),
-        knob!(cut.crown_deg: "Crown", Reach::Within(20.0, 50.0), 2 "\u{b0}",
-            "Slope of the upper facets, which spread white light into colours."),
-        knob!(cut.table: "Table", Reach::Within(0.3, 0.85), 3 "",
-            "Width of the flat top, as a share of the gem's."),
-        knob!(cut.star: "Stars", Reach::Within(0.2, 0.8), 3 "",
-            "How far the facets beside the table reach towards the edge."),
-        knob!(cut.lower: "Lower halves", Reach::Within(0.4, 0.95), 3 "",
-            "How far the narrow facets below reach from the edge to the tip."),
-        knob!(cut.girdle: "Girdle", Reach::Within(0.005, 0.1), 3 "",
-            "Height of the gem's edge, as a share of its width."),
-        knob!(cut.culet: "Culet", Reach::Within(0.0, 0.2), 3 "",
-            "Width of a facet in place of the tip, as a share of the gem's; 0 for a tip."),
+        knob!(cut.pavilion_deg: later!("Pavilion"), Reach::Within(30.0, 55.0), 2 "\u{b0}",
+            later!("Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up.")),
+        knob!(cut.crown_deg: later!("Crown"), Reach::Within(20.0, 50.0), 2 "\u{b0}",
+            later!("Slope of the upper facets, which spread white light into colours.")),
+        knob!(cut.table: later!("Table"), Reach::Within(0.3, 0.85), 3 "",
+            later!("Width of the flat top, as a share of the gem's.")),
+        knob!(cut.star: later!("Stars"), Reach::Within(0.2, 0.8), 3 "",
+            later!("How far the facets beside the table reach towards the edge.")),
+        knob!(cut.lower: later!("Lower halves"), Reach::Within(0.4, 0.95), 3 "",
+            later!("How far the narrow facets below reach from the edge to the tip.")),
+        knob!(cut.girdle: later!("Girdle"), Reach::Within(0.005, 0.1), 3 "",
+            later!("Height of the gem's edge, as a share of its width.")),
+        knob!(cut.culet: later!("Culet"), Reach::Within(0.0, 0.2), 3 "",
+            later!("Width of a facet in place of the tip, as a share of the gem's; 0 for a tip.")),
         Self::GREY,
         Self::THICKNESS,
-        knob!(turn_deg: "Turn of the camera", Reach::Within(-180.0, 180.0), 1 "\u{b0}",
-            "How far the camera went round the gem."),
+        knob!(turn_deg: later!("Turn of the camera"), Reach::Within(-180.0, 180.0), 1 "\u{b0}",
+            later!("How far the camera went round the gem.")),
         Self::HEIGHT,
-        knob!(size: "Picture", Reach::OneOf(&[240.0, 360.0, 480.0, 720.0]), 0 " px",
-            "Columns and rows of the picture."),
-        knob!(rays: "Rays a pixel", Reach::OneOf(&[8.0, 16.0, 32.0, 64.0, 256.0]), 0 "",
-            "Twice as many take twice the time and leave 0.7 of the noise."),
-        knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED),
+        knob!(size: later!("Picture"), Reach::OneOf(&[240.0, 360.0, 480.0, 720.0]), 0 " px",
+            later!("Columns and rows of the picture.")),
+        knob!(rays: later!("Rays a pixel"), Reach::OneOf(&[8.0, 16.0, 32.0, 64.0, 256.0]), 0 "",
+            later!("Twice as many take twice the time and leave 0.7 of the noise.")),
+        knob!(stops: later!("Exposure"), STOPS, 1 later!(" stops"), EXPOSED),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("made_of", "the material"),
-        ("colour", "the gem's colour"),
-        ("filter", "the filter that colours it"),
-        ("part", "the part of the light"),
-        ("under", "the second light"),
-        ("sent", "the light sent through"),
+        ("made_of", later!("the material")),
+        ("colour", later!("the gem's colour")),
+        ("filter", later!("the filter that colours it")),
+        ("part", later!("the part of the light")),
+        ("under", later!("the second light")),
+        ("sent", later!("the light sent through")),
     ];
 
     fn settle(&mut self) {

@@ -14,17 +14,17 @@ use crate::spectrum::{Cube, Rect};
 pub(super) const ROW: Row = row(
     Page::Image,
     Place::Picture,
-    ("Spectral image", "image"),
+    (later!("Spectral image"), "image"),
     "recover",
-    "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    later!("A spectral image: a pixel or a region's mean becomes a spectrum."),
 );
 
 pub(super) const PHOTOGRAPH: Row = row(
     Page::Photograph,
     Place::Picture,
-    ("Photograph", "photograph"),
+    (later!("Photograph"), "photograph"),
     "prism",
-    "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
+    later!("A photograph of a spectrum: the lines of a lamp fix its wavelengths."),
 );
 
 /// How the bands of an image become colours.
@@ -47,9 +47,9 @@ impl Show {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::TrueColour => "true colour",
-            Self::ThreeBands => "three bands",
-            Self::OneBand => "one band",
+            Self::TrueColour => said!("true colour"),
+            Self::ThreeBands => said!("three bands"),
+            Self::OneBand => said!("one band"),
         }
     }
 
@@ -57,14 +57,18 @@ impl Show {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::TrueColour => {
-                "X, Y and Z of every pixel by the observer in force, brought to sRGB. A \
+                said!(
+                    "X, Y and Z of every pixel by the observer in force, brought to sRGB. A \
                  reflectance is looked at under the document's light."
+                )
             }
             Self::ThreeBands => {
-                "A band each for red, green and blue, each scaled by its own 99th percentile: \
+                said!(
+                    "A band each for red, green and blue, each scaled by its own 99th percentile: \
                  false colours."
+                )
             }
-            Self::OneBand => "One band in grey, scaled by its 99th percentile.",
+            Self::OneBand => said!("One band in grey, scaled by its 99th percentile."),
         }
     }
 }
@@ -119,26 +123,26 @@ const BAND_NM: Reach = Reach::Within(100.0, 100_000.0);
 
 impl PageState for ImageMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        knob!(three_nm[0]: "Red", BAND_NM, 1 " nm", BANDS),
-        knob!(three_nm[1]: "Green", BAND_NM, 1 " nm", BANDS),
-        knob!(three_nm[2]: "Blue", BAND_NM, 1 " nm", BANDS),
-        knob!(one_nm: "Band", BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[0]: later!("Red"), BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[1]: later!("Green"), BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[2]: later!("Blue"), BAND_NM, 1 " nm", BANDS),
+        knob!(one_nm: later!("Band"), BAND_NM, 1 " nm", BANDS),
         Self::EXPOSURE,
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("key", "the image"),
-        ("selection", "the pixels chosen"),
-        ("show", "how bands become colours"),
-        ("spread", "the spread drawn"),
+        ("key", later!("the image")),
+        ("selection", later!("the pixels chosen")),
+        ("show", later!("how bands become colours")),
+        ("spread", later!("the spread drawn")),
     ];
 }
 
-const BANDS: &str = "The nearest band is shown.";
+const BANDS: &str = later!("The nearest band is shown.");
 
 impl ImageMemory {
     pub const EXPOSURE: Knob<Self> =
-        knob!(stops: "Exposure", Reach::Within(-8.0, 8.0), 1 " stops", EXPOSED);
+        knob!(stops: later!("Exposure"), Reach::Within(-8.0, 8.0), 1 later!(" stops"), EXPOSED);
 
     /// Another image: a place of the last one is none in this.
     pub fn choose(&mut self, key: &str) {

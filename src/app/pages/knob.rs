@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::app::ticks::short;
+use crate::{app::ticks::short, languages::said};
 
 /// A field that a knob moves: any kind of number.
 pub trait Number {
@@ -122,8 +122,8 @@ impl<T> Knob<T> {
 
 /// A row of a table of knobs: `field: title, reach, decimals unit, meaning`.
 macro_rules! knob {
-    ($key:ident $(.$part:ident)* $([$i:literal])?: $title:literal, $reach:expr,
-        $digits:literal $unit:literal, $meaning:expr) => {
+    ($key:ident $(.$part:ident)* $([$i:literal])?: $title:expr, $reach:expr,
+        $digits:literal $unit:expr, $meaning:expr) => {
         $crate::app::pages::knob::Knob::<Self>::new(
             (stringify!($key), $title),
             $meaning,
@@ -152,6 +152,14 @@ pub fn moved_words<T: Clone>(knobs: &[Knob<T>], from: &T, to: &T) -> Option<Stri
     knobs.iter().find_map(|knob| {
         let (was, is) = (knob.get(&mut from), knob.get(&mut to));
         let [from, to] = [was, is].map(|value| knob.told(value));
-        (was != is).then(|| format!("{} {from} to {to}{}", knob.title, knob.unit))
+        (was != is).then(|| {
+            tr!(
+                "{knob} {from} to {to}{unit}",
+                knob = said(knob.title),
+                from,
+                to,
+                unit = said(knob.unit)
+            )
+        })
     })
 }

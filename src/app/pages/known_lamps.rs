@@ -13,9 +13,9 @@ use crate::lamps::NUMBERS;
 pub(super) const ROW: Row = row(
     Page::KnownLamps,
     Place::Numbers,
-    ("Known lamps", "known-lamps"),
+    (later!("Known lamps"), "known-lamps"),
     "spend",
-    "The light as a sum of known lamps, a short series and a few lines.",
+    later!("The light as a sum of known lamps, a short series and a few lines."),
 )
 .under(Page::Coefficients);
 
@@ -45,13 +45,13 @@ impl Default for WordsMemory {
 }
 
 impl PageState for WordsMemory {
-    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers",
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: later!("Numbers"),
         Reach::Within(NUMBERS[0] as f64, NUMBERS[1] as f64), 0 "",
-        "The most numbers that the light may take.")];
+        later!("The most numbers that the light may take."))];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("portable", "known lamps"),
-        ("itself", "lamps that are the light itself"),
-        ("automatic", "known lamps for Automatic"),
+        ("portable", later!("known lamps")),
+        ("itself", later!("lamps that are the light itself")),
+        ("automatic", later!("known lamps for Automatic")),
     ];
 }

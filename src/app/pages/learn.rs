@@ -5,32 +5,32 @@ use super::{Page, Place, Row, row};
 pub(super) const LESSONS: Row = row(
     Page::Lessons,
     Place::Learn,
-    ("Lessons", "lessons"),
+    (later!("Lessons"), "lessons"),
     "",
-    "Short walks through the program: predict, do, see why.",
+    later!("Short walks through the program: predict, do, see why."),
 );
 
 pub(super) const GLOSSARY: Row = row(
     Page::Glossary,
     Place::Learn,
-    ("Glossary", "glossary"),
+    (later!("Glossary"), "glossary"),
     "",
-    "The words of this window in plain sentences.",
+    later!("The words of this window in plain sentences."),
 );
 
 pub(super) const TRUTH: Row = row(
     Page::Truth,
     Place::Numbers,
-    ("The paper checked", "truth"),
+    (later!("The paper checked"), "truth"),
     "colour",
-    "The paper's claims, measured on this spectrum and range.",
+    later!("The paper's claims, measured on this spectrum and range."),
 )
 .under(Page::Coefficients);
 
 pub(super) const TEACHERS: Row = row(
     Page::Teachers,
     Place::Learn,
-    ("For teachers", "teachers"),
+    (later!("For teachers"), "teachers"),
     "",
-    "Aims, preparation and handouts of each lesson, and how to write one.",
+    later!("Aims, preparation and handouts of each lesson, and how to write one."),
 );

@@ -13,9 +13,9 @@ use crate::live::{MOST_AVERAGED, Track};
 pub(super) const ROW: Row = row(
     Page::Live,
     Place::Look,
-    ("Live", "live"),
+    (later!("Live"), "live"),
     "light",
-    "A light that changes: from a file, a folder, an instrument or a recording.",
+    later!("A light that changes: from a file, a folder, an instrument or a recording."),
 );
 
 /// Figures that are shown at first.
@@ -48,8 +48,8 @@ impl Default for LiveMemory {
 
 impl LiveMemory {
     pub const AVERAGE: Knob<Self> = Knob::new(
-        ("average", "Average"),
-        "The mean of so many frames is shown, the newest.",
+        ("average", later!("Average")),
+        later!("The mean of so many frames is shown, the newest."),
         Reach::Within(1.0, MOST_AVERAGED as f64),
         (0, ""),
         |memory| &mut memory.average,
@@ -59,8 +59,8 @@ impl LiveMemory {
 impl PageState for LiveMemory {
     const KNOBS: &'static [Knob<Self>] = &[Self::AVERAGE];
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("as_light", "counts as a light"),
-        ("figures", "its figures"),
-        ("track", "what is drawn over time"),
+        ("as_light", later!("counts as a light")),
+        ("figures", later!("its figures")),
+        ("track", later!("what is drawn over time")),
     ];
 }

@@ -9,9 +9,9 @@ use crate::study::Goal;
 pub(super) const ROW: Row = row(
     Page::Spectrum,
     Place::Look,
-    ("Spectrum", "look"),
+    (later!("Spectrum"), "look"),
     "waves",
-    "The spectrum, its model and surfaces under both.",
+    later!("The spectrum, its model and surfaces under both."),
 )
 .once(&["spectrum"]);
 
@@ -40,11 +40,11 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub(super) const SPENT: Reach = Reach::Within(*SPENDABLE.start() as f64, *SPENDABLE.end() as f64);
 
 impl PageState for LookState {
-    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers to spend", SPENT, 0 "",
-        "The most numbers that Automatic may take.")];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: later!("Numbers to spend"), SPENT, 0 "",
+        later!("The most numbers that Automatic may take."))];
 
     const NAMES: &'static [(&'static str, &'static str)] =
-        &[("goal", "what Automatic makes small")];
+        &[("goal", later!("what Automatic makes small"))];
 
     fn settle(&mut self) {
         self.goal = self.goal.map(Goal::clamped);

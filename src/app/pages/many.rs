@@ -14,9 +14,9 @@ use crate::{app::verdicts::HARD_TO_SEE, study::Measure};
 pub(super) const ROW: Row = row(
     Page::Many,
     Place::Numbers,
-    ("Many lights", "many-lights"),
+    (later!("Many lights"), "many-lights"),
     "spend",
-    "How many numbers most of your lights need: a set, or your folders.",
+    later!("How many numbers most of your lights need: a set, or your folders."),
 )
 .under(Page::Tradeoff);
 
@@ -57,18 +57,18 @@ impl ManyMemory {
 }
 
 impl ManyMemory {
-    pub const SHARE: Knob<Self> = knob!(share_percent: "Share of the lights",
+    pub const SHARE: Knob<Self> = knob!(share_percent: later!("Share of the lights"),
         Reach::Within(1.0, 100.0), 0 " %",
-        "The part of the lights that are to keep the limit.");
-    pub const LIMIT: Knob<Self> = knob!(limit: "Limit", Reach::Within(0.01, 100.0), 2 "",
-        "The most that the error may be.");
+        later!("The part of the lights that are to keep the limit."));
+    pub const LIMIT: Knob<Self> = knob!(limit: later!("Limit"), Reach::Within(0.01, 100.0), 2 "",
+        later!("The most that the error may be."));
 }
 
 impl PageState for ManyMemory {
     const KNOBS: &'static [Knob<Self>] = &[Self::LIMIT, Self::SHARE];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("field", "the lights"),
-        ("measure", "the error that has a limit"),
+        ("field", later!("the lights")),
+        ("measure", later!("the error that has a limit")),
     ];
 }

@@ -14,9 +14,9 @@ use crate::app::{
 pub(super) const ROW: Row = row(
     Page::Mix,
     Place::Design,
-    ("Mix", "mix"),
+    (later!("Mix"), "mix"),
     "white",
-    "Mix lines, LEDs and lamps with faders and rate the mix.",
+    later!("Mix lines, LEDs and lamps with faders and rate the mix."),
 );
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,9 +41,9 @@ impl Default for MixState {
 
 impl PageState for MixState {
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("desk", "the desk"),
-        ("kept", "a desk put aside"),
-        ("surfaces", "the surfaces under it"),
+        ("desk", later!("the desk")),
+        ("kept", later!("a desk put aside")),
+        ("surfaces", later!("the surfaces under it")),
     ];
 
     fn settle(&mut self) {

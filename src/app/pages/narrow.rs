@@ -12,9 +12,9 @@ use super::{
 pub(super) const ROW: Row = row(
     Page::Narrow,
     Place::Through,
-    ("One filter", "filter"),
+    (later!("One filter"), "filter"),
     "samples",
-    "A narrow band-pass moved over the light, at equal numbers.",
+    later!("A narrow band-pass moved over the light, at equal numbers."),
 )
 .once(&["narrow"]);
 
@@ -47,18 +47,20 @@ impl Default for NarrowMemory {
 pub const PASS_WIDTHS_NM: [f64; 2] = [2.0, 100.0];
 
 impl NarrowMemory {
-    pub const WIDTH: Knob<Self> = knob!(width_nm: "Width",
+    pub const WIDTH: Knob<Self> = knob!(width_nm: later!("Width"),
         Reach::Within(PASS_WIDTHS_NM[0], PASS_WIDTHS_NM[1]), 1 " nm",
-        "The full width of the band-pass at half its maximum.");
+        later!("The full width of the band-pass at half its maximum."));
 }
 
 impl PageState for NarrowMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        knob!(centre_nm: "Centre", Reach::Within(200.0, 20_000.0), 1 " nm",
-            "The wavelength in the middle of the band-pass."),
+        knob!(centre_nm: later!("Centre"), Reach::Within(200.0, 20_000.0), 1 " nm",
+            later!("The wavelength in the middle of the band-pass.")),
         Self::WIDTH,
     ];
 
-    const NAMES: &'static [(&'static str, &'static str)] =
-        &[("filter", "the filter"), ("luminance", "the error drawn")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("filter", later!("the filter")),
+        ("luminance", later!("the error drawn")),
+    ];
 }

@@ -1,6 +1,7 @@
 //! What is asked of a page.
 
 use super::{Page, Place, ROWS, Row};
+use crate::languages::said;
 
 impl Page {
     /// Every page, place by place.
@@ -31,22 +32,22 @@ impl Page {
     }
 
     pub fn title(self) -> &'static str {
-        self.row().title
+        said(self.row().title)
     }
 
     /// What the page is for, a sentence.
     pub fn meaning(self) -> &'static str {
-        self.row().meaning
+        said(self.row().meaning)
     }
 
     /// What it is called among the modes of its tab.
     pub fn mode(self) -> &'static str {
-        self.row().mode
+        said(self.row().mode)
     }
 
     /// What the tab is called whose first page it is.
     pub fn tab_title(self) -> &'static str {
-        self.row().tab_title
+        said(self.row().tab_title)
     }
 
     /// The name of the lesson that answers what it asks; none in Learn, where all of them are.

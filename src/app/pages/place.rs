@@ -34,25 +34,25 @@ impl Place {
 
     pub fn title(self) -> &'static str {
         match self {
-            Self::Learn => "Learn",
-            Self::Look => "Look",
-            Self::Through => "Through",
-            Self::Quality => "Quality",
-            Self::Design => "Design",
-            Self::Numbers => "Numbers",
-            Self::Picture => "Picture",
+            Self::Learn => said!("Learn"),
+            Self::Look => said!("Look"),
+            Self::Through => said!("Through"),
+            Self::Quality => said!("Quality"),
+            Self::Design => said!("Design"),
+            Self::Numbers => said!("Numbers"),
+            Self::Picture => said!("Picture"),
         }
     }
 
     pub fn asks(self) -> &'static str {
         match self {
-            Self::Learn => "Show me",
-            Self::Look => "What is in this light?",
-            Self::Through => "What does it do behind glass and off surfaces?",
-            Self::Quality => "Is it a good light?",
-            Self::Design => "Can I make one?",
-            Self::Numbers => "How few numbers will do?",
-            Self::Picture => "And in a picture?",
+            Self::Learn => said!("Show me"),
+            Self::Look => said!("What is in this light?"),
+            Self::Through => said!("What does it do behind glass and off surfaces?"),
+            Self::Quality => said!("Is it a good light?"),
+            Self::Design => said!("Can I make one?"),
+            Self::Numbers => said!("How few numbers will do?"),
+            Self::Picture => said!("And in a picture?"),
         }
     }
 

@@ -16,17 +16,17 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::Prism,
     Place::Picture,
-    ("Prism and rainbow", "prism"),
+    (later!("Prism and rainbow"), "prism"),
     "prism",
-    "The light through a prism: every line one exact ray, the rest a smooth band.",
+    later!("The light through a prism: every line one exact ray, the rest a smooth band."),
 )
-.among_modes("Prism");
+.among_modes(later!("Prism"));
 
 /// Exposures, stops.
 pub const STOPS: Reach = Reach::Within(-6.0, 6.0);
 
 /// What an exposure is.
-pub(super) const EXPOSED: &str = "Each stop doubles the light.";
+pub(super) const EXPOSED: &str = later!("Each stop doubles the light.");
 
 /// A light that stands beside the document's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,10 +50,10 @@ impl Beside {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Nothing => "nothing",
-            Self::Bulb => "a bulb (2856 K)",
-            Self::Sun => "the sun (5772 K)",
-            Self::Overlaid => "the light compared with it",
+            Self::Nothing => said!("nothing"),
+            Self::Bulb => said!("a bulb (2856 K)"),
+            Self::Sun => said!("the sun (5772 K)"),
+            Self::Overlaid => said!("the light compared with it"),
         }
     }
 }
@@ -100,26 +100,30 @@ impl Handle {
     /// What it moves, in words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Apex => "Apex angle",
-            Self::Slit => "Slit",
+            Self::Apex => said!("Apex angle"),
+            Self::Slit => said!("Slit"),
         }
     }
 }
 
 impl PrismMemory {
-    pub const APEX: Knob<Self> = knob!(apex_deg: "Apex angle", Reach::Within(5.0, 90.0), 1 "\u{b0}",
-        "The angle between the two faces that the light goes through.");
-    pub const MINIMUM: Knob<Self> = knob!(minimum_nm: "Least deviation for",
+    pub const APEX: Knob<Self> = knob!(apex_deg: later!(
+        "Apex angle"
+    ), Reach::Within(5.0, 90.0), 1 "\u{b0}",
+        later!("The angle between the two faces that the light goes through."));
+    pub const MINIMUM: Knob<Self> = knob!(minimum_nm: later!("Least deviation for"),
         Reach::Within(SEEN_NM[0], SEEN_NM[1]), 1 " nm",
-        "The wavelength that is bent least.");
-    pub const INCIDENCE: Knob<Self> = knob!(incidence_deg: "Light meets it at",
+        later!("The wavelength that is bent least."));
+    pub const INCIDENCE: Knob<Self> = knob!(incidence_deg: later!("Light meets it at"),
         Reach::Within(-20.0, 89.0), 1 "\u{b0}",
-        "Angle between the light and the normal of the first face.");
-    pub const SLIT: Knob<Self> = knob!(slit_mm: "Slit", Reach::Within(0.02, 30.0), 2 " mm",
-        "Width of the beam. Wide, lines run together and the middle turns white.");
-    pub const SCREEN: Knob<Self> = knob!(screen_mm: "Screen", Reach::Within(50.0, 2000.0), 0 " mm",
-        "From the prism to the screen.");
-    const EXPOSURE: Knob<Self> = knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED);
+        later!("Angle between the light and the normal of the first face."));
+    pub const SLIT: Knob<Self> = knob!(slit_mm: later!("Slit"), Reach::Within(0.02, 30.0), 2 " mm",
+        later!("Width of the beam. Wide, lines run together and the middle turns white."));
+    pub const SCREEN: Knob<Self> = knob!(screen_mm: later!("Screen"),
+        Reach::Within(50.0, 2000.0), 0 " mm",
+        later!("From the prism to the screen."));
+    const EXPOSURE: Knob<Self> =
+        knob!(stops: later!("Exposure"), STOPS, 1 later!(" stops"), EXPOSED);
 
     /// A hand moved a handle: degrees of the apex, mm of the slit, as far as the sliders reach.
     pub fn set(&mut self, handle: Handle, value: f64) {
@@ -166,10 +170,10 @@ impl PageState for PrismMemory {
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("made_of", "the glass"),
-        ("at_minimum", "how the prism stands"),
-        ("beside", "the light beside it"),
-        ("sent", "the light sent through"),
+        ("made_of", later!("the glass")),
+        ("at_minimum", later!("how the prism stands")),
+        ("beside", later!("the light beside it")),
+        ("sent", later!("the light sent through")),
     ];
 
     fn settle(&mut self) {

@@ -8,25 +8,25 @@ use crate::app::charts::quality::OfColours;
 pub(super) const QUALITY: Row = row(
     Page::Quality,
     Place::Quality,
-    ("Verdict", "quality"),
+    (later!("Verdict"), "quality"),
     "quality",
-    "Is it a good light? Surfaces under it, twelve figures in words, and all of them.",
+    later!("Is it a good light? Surfaces under it, twelve figures in words, and all of them."),
 );
 
 pub(super) const RENDITION: Row = row(
     Page::Rendition,
     Place::Quality,
-    ("Colours under it", "rendition"),
+    (later!("Colours under it"), "rendition"),
     "quality",
-    "Colours under the light: TM-30 and CRI, hue by hue.",
+    later!("Colours under the light: TM-30 and CRI, hue by hue."),
 );
 
 pub(super) const QUALITY_ORDER: Row = row(
     Page::QualityOrder,
     Place::Quality,
-    ("Against waves", "quality-order"),
+    (later!("Against waves"), "quality-order"),
     "quality",
-    "How many numbers a model needs to give the light's own figures.",
+    later!("How many numbers a model needs to give the light's own figures."),
 );
 
 /// What the page "Colours under it" keeps.
@@ -38,5 +38,5 @@ pub struct RenditionState {
 }
 
 impl PageState for RenditionState {
-    const NAMES: &'static [(&'static str, &'static str)] = &[("large", "the large chart")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[("large", later!("the large chart"))];
 }

@@ -13,9 +13,9 @@ use crate::study::Measure;
 pub(super) const ROW: Row = row(
     Page::Race,
     Place::Numbers,
-    ("Race", "race"),
+    (later!("Race"), "race"),
     "samples",
-    "The composite against other representations, at equal numbers.",
+    later!("The composite against other representations, at equal numbers."),
 )
 .under(Page::Coefficients);
 
@@ -48,14 +48,14 @@ impl Default for RaceState {
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageState for RaceState {
-    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers",
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: later!("Numbers"),
         Reach::OneOf(&[8.0, 11.0, 15.0, 20.0, 25.0, 31.0, 41.0]), 0 "",
-        "The count of numbers that every representation may take.")];
+        later!("The count of numbers that every representation may take."))];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("field", "who races"),
-        ("measure", "the error that decides"),
-        ("strict", "how numbers are counted"),
+        ("field", later!("who races")),
+        ("measure", later!("the error that decides")),
+        ("strict", later!("how numbers are counted")),
     ];
 
     fn settle(&mut self) {
@@ -102,13 +102,13 @@ impl FieldChoice {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::ThisLight => "this light",
-            Self::Shipped => "all shipped lights",
-            Self::Smooth => "smooth lights",
+            Self::ThisLight => said!("this light"),
+            Self::Shipped => said!("all shipped lights"),
+            Self::Smooth => said!("smooth lights"),
             Self::Led => "LED",
-            Self::Fluorescent => "fluorescent",
-            Self::Discharge => "discharge",
-            Self::Own => "my lights",
+            Self::Fluorescent => said!("fluorescent"),
+            Self::Discharge => said!("discharge"),
+            Self::Own => said!("my lights"),
         }
     }
 }

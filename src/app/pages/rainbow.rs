@@ -14,9 +14,9 @@ use crate::app::dispersion::Sent;
 pub(super) const ROW: Row = row(
     Page::Rainbow,
     Place::Picture,
-    ("Rainbow", "rainbow"),
+    (later!("Rainbow"), "rainbow"),
     "prism",
-    "The light in drops of water: both bows, and where each line stands in them.",
+    later!("The light in drops of water: both bows, and where each line stands in them."),
 )
 .under(Page::Prism);
 
@@ -42,11 +42,12 @@ pub struct RainbowMemory {
 const BOW_IMPACTS: [f64; 2] = [0.86, 0.95];
 
 impl RainbowMemory {
-    pub const IMPACT: Knob<Self> = knob!(impact: "Rays meet the drop at",
-        Reach::Within(0.0, 0.995), 3 " radii",
-        "How far off its middle the coloured rays meet the drop; where the thin rays crowd \
-        together they make the bow.");
-    const EXPOSURE: Knob<Self> = knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED);
+    pub const IMPACT: Knob<Self> = knob!(impact: later!("Rays meet the drop at"),
+        Reach::Within(0.0, 0.995), 3 later!(" radii"),
+        later!("How far off its middle the coloured rays meet the drop; where the thin rays crowd \
+        together they make the bow."));
+    const EXPOSURE: Knob<Self> =
+        knob!(stops: later!("Exposure"), STOPS, 1 later!(" stops"), EXPOSED);
 
     /// Draws the rays of one of the two bows, from where they meet the drop.
     pub fn look_at(&mut self, twice: bool) {
@@ -72,9 +73,9 @@ impl PageState for RainbowMemory {
     const KNOBS: &'static [Knob<Self>] = &[Self::IMPACT, Self::EXPOSURE];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("disc", "the width of the source"),
-        ("twice", "the bow whose rays are drawn"),
-        ("beside", "the light beside it"),
-        ("sent", "the light sent through"),
+        ("disc", later!("the width of the source")),
+        ("twice", later!("the bow whose rays are drawn")),
+        ("beside", later!("the light beside it")),
+        ("sent", later!("the light sent through")),
     ];
 }

@@ -13,9 +13,9 @@ use crate::pictures::{BOUND_P95, FixedSettings, LineChoice, MOST_NUMBERS};
 pub(super) const ROW: Row = row(
     Page::Relit,
     Place::Picture,
-    ("In few numbers, relit", "relit"),
+    (later!("In few numbers, relit"), "relit"),
     "recover",
-    "A spectral image in few numbers a pixel, and how it looks under any light.",
+    later!("A spectral image in few numbers a pixel, and how it looks under any light."),
 );
 
 /// What stands large on the page.
@@ -38,9 +38,9 @@ impl Look {
     /// In words for people.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Picture => "Picture",
-            Self::Difference => "Difference",
-            Self::Others => "Other ways",
+            Self::Picture => said!("Picture"),
+            Self::Difference => said!("Difference"),
+            Self::Others => said!("Other ways"),
         }
     }
 
@@ -48,14 +48,20 @@ impl Look {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Picture => {
-                "Every band left of the line, few numbers right of it. Drag the line; click a \
+                said!(
+                    "Every band left of the line, few numbers right of it. Drag the line; click a \
                  pixel to see its spectrum."
+                )
             }
             Self::Difference => {
-                "How far each pixel's colour in few numbers is from that of every band (ΔE₀₀)."
+                said!(
+                    "How far each pixel's colour in few numbers is from that of every band (ΔE₀₀)."
+                )
             }
             Self::Others => {
-                "The same picture in as many numbers kept in other ways, measured here and now."
+                said!(
+                    "The same picture in as many numbers kept in other ways, measured here and now."
+                )
             }
         }
     }
@@ -123,31 +129,34 @@ impl Default for RelitMemory {
 }
 
 impl RelitMemory {
-    pub const BOUND: Knob<Self> = knob!(bound: "Enough", Reach::Within(0.05, 5.0), 2 " \u{394}E₀₀",
-        "95 % of the differences are within it.");
+    pub const BOUND: Knob<Self> = knob!(bound: later!("Enough"),
+        Reach::Within(0.05, 5.0), 2 " \u{394}E₀₀",
+        later!("95 % of the differences are within it."));
 }
 
 impl PageState for RelitMemory {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::BOUND,
-        knob!(second_percent: "Share of the second light", Reach::Within(0.0, 100.0), 0 " %",
-            "Share of the brightness that is the second light's."),
-        knob!(split: "Line between the halves", Reach::Within(0.0, 1.0), 2 "",
-            "Every band left of it, few numbers right of it."),
+        knob!(second_percent: later!(
+            "Share of the second light"
+        ), Reach::Within(0.0, 100.0), 0 " %",
+            later!("Share of the brightness that is the second light's.")),
+        knob!(split: later!("Line between the halves"), Reach::Within(0.0, 1.0), 2 "",
+            later!("Every band left of it, few numbers right of it.")),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("wall", "the picture"),
-        ("taken_under", "the light of the picture"),
-        ("own", "the surfaces' own light"),
-        ("numbers", "numbers a pixel"),
-        ("wish", "what is kept of it"),
-        ("weighted", "what the numbers are weighed by"),
-        ("between_series", "what stands between bands"),
-        ("under", "the light on the picture"),
-        ("second", "the second light"),
-        ("look", "what stands large"),
-        ("pixel", "the pixel chosen"),
+        ("wall", later!("the picture")),
+        ("taken_under", later!("the light of the picture")),
+        ("own", later!("the surfaces' own light")),
+        ("numbers", later!("numbers a pixel")),
+        ("wish", later!("what is kept of it")),
+        ("weighted", later!("what the numbers are weighed by")),
+        ("between_series", later!("what stands between bands")),
+        ("under", later!("the light on the picture")),
+        ("second", later!("the second light")),
+        ("look", later!("what stands large")),
+        ("pixel", later!("the pixel chosen")),
     ];
 
     fn settle(&mut self) {

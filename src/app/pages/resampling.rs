@@ -8,9 +8,9 @@ use crate::spectrum::Sampling;
 pub(super) const ROW: Row = row(
     Page::Resampling,
     Place::Numbers,
-    ("Products in few numbers", "resampling"),
+    (later!("Products in few numbers"), "resampling"),
     "filters",
-    "One product formed on few points, by convolution and at every nm.",
+    later!("One product formed on few points, by convolution and at every nm."),
 )
 .once(&["forming"])
 .under(Page::Coefficients);
@@ -36,7 +36,7 @@ impl ResamplingMemory {
 }
 
 impl PageState for ResamplingMemory {
-    const NAMES: &'static [(&'static str, &'static str)] = &[("hidden", "the ways drawn")];
+    const NAMES: &'static [(&'static str, &'static str)] = &[("hidden", later!("the ways drawn"))];
 
     fn settle(&mut self) {
         let hidden = |way: &Sampling| self.hidden.contains(way);

@@ -27,6 +27,7 @@ use crate::{
         ticks::short,
     },
     color::{Adaptation, Observer, Swatch, xyz_of_parts},
+    languages::{fixed, said},
     spectrum::{Band, Composite},
     study::{
         Measure, Progress,
@@ -37,9 +38,12 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::SameSurface,
     Place::Through,
-    ("Same surface?", "same-surface"),
+    (later!("Same surface?"), "same-surface"),
     "filters",
-    "Is a spectrum the light off a surface? The first spectrum times the surface must be the second.",
+    later!(
+        "Is a spectrum the light off a surface? The first spectrum times the surface must be the \
+         second."
+    ),
 )
 .once(&["check"]);
 
@@ -64,8 +68,11 @@ impl Default for SameSurfaceMemory {
 
 impl PageState for SameSurfaceMemory {
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("everywhere", "where surfaces are looked for"),
-        ("twice", "how often the example's light meets its surface"),
+        ("everywhere", later!("where surfaces are looked for")),
+        (
+            "twice",
+            later!("how often the example's light meets its surface"),
+        ),
     ];
 }
 
@@ -124,18 +131,32 @@ impl SameSurfaceSheet {
         let [light, surface, outgoing] = &self.names;
         match self.verdict() {
             Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
-                true => format!("Yes: {light} off {surface} gives this spectrum."),
-                false => format!("Yes: {outgoing} can be {light} off {surface}."),
+                true => tr!(
+                    "Yes: {light} off {surface} gives this spectrum.",
+                    light,
+                    surface
+                ),
+                false => tr!(
+                    "Yes: {outgoing} can be {light} off {surface}.",
+                    outgoing,
+                    light,
+                    surface
+                ),
             },
-            Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
+            Sameness::DoesNotHold => tr!(
+                "No: {outgoing} is not {light} off {surface}.",
+                outgoing,
+                light,
+                surface
+            ),
             Sameness::Unknown if self.model.is_none() => {
-                "One of the spectra is dark on this range.".to_owned()
+                said!("One of the spectra is dark on this range.").to_owned()
             }
-            Sameness::Unknown => format!(
-                "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and \
-                 {:.1} % of S3 themselves. More numbers may decide.",
-                100.0 * self.left_out[0],
-                100.0 * self.left_out[1]
+            Sameness::Unknown => tr!(
+                "The models are too short to tell: behind 10 nm they leave out {first} % of S1 and \
+                 {last} % of S3 themselves. More numbers may decide.",
+                first = fixed(100.0 * self.left_out[0], 1),
+                last = fixed(100.0 * self.left_out[1], 1)
             ),
         }
     }
@@ -228,32 +249,43 @@ pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
         .with("surface", |r: &Row<'_>| {
             cell(r.key.as_str()).shown(r.name.as_str())
         })
-        .titled("surface", "Click a row to take it as the surface S2.")
+        .titled(
+            said!("surface"),
+            said!("Click a row to take it as the surface S2."),
+        )
         .and(found("residual model", |r| Some(r.model?.residual)))
         .titled(
-            "residual",
-            format!("In the model's numbers. {RESIDUAL_MEANS}"),
+            said!("residual"),
+            tr!(
+                "In the model's numbers. {meaning}",
+                meaning = said(RESIDUAL_MEANS)
+            ),
         )
         .and(found("factor model", |r| Some(r.model?.factor)))
         .with("verdict", |r| cell(r.verdict.words()))
         .and(found("residual measured", |r| Some(r.measured?.residual)))
         .titled(
-            "measured",
-            format!("Of the measured curves. {RESIDUAL_MEANS}"),
+            said!("measured"),
+            tr!(
+                "Of the measured curves. {meaning}",
+                meaning = said(RESIDUAL_MEANS)
+            ),
         )
         .and(found("factor measured", |r| Some(r.measured?.factor)))
         .with("", |r| {
-            cell(format!("{} {}", r.verdict.sign(), r.verdict.told()))
+            cell(format!("{} {}", r.verdict.sign(), said(r.verdict.told())))
         })
-        .titled("verdict", "The model's verdict.");
+        .titled(said!("verdict"), said!("The model's verdict."));
     let comments = format!("# {} as {} off each surface\n", names[2], names[0]);
     Table::new(comments, columns, ranked)
 }
 
 /// The meaning of a residual.
-pub const RESIDUAL_MEANS: &str = "Root mean square of the rest beside the best multiple, over that \
+pub const RESIDUAL_MEANS: &str = later!(
+    "Root mean square of the rest beside the best multiple, over that \
                                   of the outgoing spectrum, both behind a 10 nm blur; 0 is a \
-                                  perfect match.";
+                                  perfect match."
+);
 
 /// The state's light off a surface, once or twice.
 pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {
@@ -289,23 +321,23 @@ pub fn as_product(app: &App, sheet: &SameSurfaceSheet) -> [Chart; 3] {
     let reflected = factor.map_or(Vec::new(), |entry| entry.on_band(band));
     let compared = sheet.measured.as_ref();
     let found = compared.map_or(&[][..], |compared| &compared.found);
-    let mut last = filled(format!("The spectrum: {outgoing}"), found);
+    let mut last = filled(tr!("The spectrum: {outgoing}", outgoing), found);
     if let Some(compared) = compared {
         let expected = on_grid(band, &compared.expected, 1.0);
-        let line = Series::line("the product", Ink::Spikes, expected);
+        let line = Series::line(said!("the product"), Ink::Spikes, expected);
         last.series.push(line.dashed(Dash::Dashed));
     }
-    last.y_label = "Behind a slit of 10 nm, scaled".to_owned();
+    last.y_label = said!("Behind a slit of 10 nm, scaled").to_owned();
     let lit = ModelledLight::of(app);
     [
         Chart {
-            y_label: "Relative power".to_owned(),
-            ..filled(format!("The light: {light}"), &lit.derived.measured)
+            y_label: said!("Relative power").to_owned(),
+            ..filled(tr!("The light: {light}", light), &lit.derived.measured)
         },
         Chart {
-            y_label: "Reflectance".to_owned(),
+            y_label: said!("Reflectance").to_owned(),
             y_range: Some([0.0, 1.0]),
-            ..filled(format!("The surface: {surface}"), &reflected)
+            ..filled(tr!("The surface: {surface}", surface), &reflected)
         },
         last,
     ]
@@ -326,20 +358,30 @@ pub fn same_surface_chart(
     } = compared;
     let rest = less(found, expected);
     let [light, surface, outgoing] = &sheet.names;
-    let told = format!(
-        "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual {:.4}.",
-        reflection.factor, reflection.residual
+    let told = tr!(
+        "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {factor}; residual \
+         {residual}.",
+        light,
+        surface,
+        outgoing,
+        factor = fixed(reflection.factor, 4),
+        residual = fixed(reflection.residual, 4)
     );
     Chart {
         title: what.to_owned(),
-        y_label: "share of the largest value, behind 10 nm".to_owned(),
+        y_label: said!("share of the largest value, behind 10 nm").to_owned(),
         series: vec![
-            Series::line("found: S3", Ink::Measured, curve(found)),
-            Series::line("expected: S1 S2", Ink::Spikes, curve(expected)).dashed(Dash::Dashed),
+            Series::line(said!("found: S3"), Ink::Measured, curve(found)),
+            Series::line(said!("expected: S1 S2"), Ink::Spikes, curve(expected))
+                .dashed(Dash::Dashed),
         ],
         residual: Some(Panel {
-            y_label: "found - expected".to_owned(),
-            series: vec![Series::line("difference", Ink::Residual, curve(&rest))],
+            y_label: said!("found - expected").to_owned(),
+            series: vec![Series::line(
+                said!("difference"),
+                Ink::Residual,
+                curve(&rest),
+            )],
             ..Panel::default()
         }),
         notes: before_provenance(vec![told], app),

@@ -13,9 +13,11 @@ use crate::design::solve::{Against, FREE_LINES, Floors, Objective};
 pub(super) const ROW: Row = row(
     Page::Solve,
     Place::Design,
-    ("Solve", "solve"),
+    (later!("Solve"), "solve"),
     "white",
-    "Find fader settings for a colour, and the best that several searches find with free lines.",
+    later!(
+        "Find fader settings for a colour, and the best that several searches find with free lines."
+    ),
 );
 
 /// What a mixture is wished to be.
@@ -63,18 +65,18 @@ impl PageState for MixWish {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::KELVIN,
         Self::DUV,
-        knob!(lines: "Lines of the front",
+        knob!(lines: later!("Lines of the front"),
             Reach::Within(*FREE_LINES.start() as f64, *FREE_LINES.end() as f64), 0 "",
-            "Lines at free places."),
+            later!("Lines at free places.")),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("light", "the colour aimed at"),
-        ("xy", "the colour aimed at"),
-        ("alike", "how near it comes to the light"),
-        ("favour", "what it is best at"),
-        ("floors", "the lower bounds"),
-        ("against", "what efficacy is traded for"),
+        ("light", later!("the colour aimed at")),
+        ("xy", later!("the colour aimed at")),
+        ("alike", later!("how near it comes to the light")),
+        ("favour", later!("what it is best at")),
+        ("floors", later!("the lower bounds")),
+        ("against", later!("what efficacy is traded for")),
     ];
 
     fn settle(&mut self) {
@@ -95,11 +97,11 @@ impl PageState for MixWish {
 }
 
 impl MixWish {
-    pub const KELVIN: Knob<Self> = knob!(kelvin: "Temperature",
+    pub const KELVIN: Knob<Self> = knob!(kelvin: later!("Temperature"),
         Reach::Within(1000.0, 25_000.0), 0 " K",
-        "The correlated colour temperature.");
+        later!("The correlated colour temperature."));
     pub const DUV: Knob<Self> = knob!(duv: "Duv", Reach::Within(-0.05, 0.05), 4 "",
-        "The distance from the blackbodies.");
+        later!("The distance from the blackbodies."));
 
     /// Whether two wishes ask for the same faders: the front's own settings do not matter.
     pub fn asks_as(&self, other: &Self) -> bool {

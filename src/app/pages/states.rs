@@ -11,7 +11,7 @@ use super::{
     Page,
     knob::{Knob, keep_in_reach, moved_words},
 };
-use crate::app::recipe::NameOf;
+use crate::{app::recipe::NameOf, languages::said};
 
 /// What one page keeps: plain data, spectra by their keys, each field with its default.
 pub trait PageState: Clone + Default + PartialEq + Serialize + DeserializeOwned + 'static {
@@ -57,7 +57,7 @@ pub(super) fn words_of<S: PageState>(
         let key = to.iter().find(|(key, now)| from.get(*key) != Some(now));
         let key = key.map_or("", |(key, _)| key.as_str());
         let name = S::NAMES.iter().find(|(named, _)| *named == key);
-        let name = name.map_or_else(|| key.replace('_', " "), |(_, name)| (*name).to_owned());
+        let name = name.map_or_else(|| key.replace('_', " "), |(_, name)| said(name).to_owned());
         format!("{}: {name}", page.title())
     }))
 }

@@ -12,11 +12,11 @@ use crate::{
 pub(super) const ROW: Row = row(
     Page::Tradeoff,
     Place::Numbers,
-    ("Trade-off", "tradeoff"),
+    (later!("Trade-off"), "tradeoff"),
     "spend",
-    "Error against numbers: how few a model needs.",
+    later!("Error against numbers: how few a model needs."),
 )
-.among_modes("Curve");
+.among_modes(later!("Curve"));
 
 /// The curve's axis and its lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -49,9 +49,9 @@ impl Default for TradeoffState {
 
 impl PageState for TradeoffState {
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("measure", "the error on the axis"),
-        ("every_way", "a curve for every way"),
-        ("ways", "the ways drawn"),
+        ("measure", later!("the error on the axis")),
+        ("every_way", later!("a curve for every way")),
+        ("ways", later!("the ways drawn")),
     ];
 
     /// All of a choice where none was chosen: there is always something drawn.

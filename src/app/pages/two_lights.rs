@@ -12,18 +12,18 @@ use super::{
 pub(super) const ROW: Row = row(
     Page::TwoLights,
     Place::Through,
-    ("Two lights", "two-lights"),
+    (later!("Two lights"), "two-lights"),
     "metamers",
-    "The same surfaces under two lights: which colours change.",
+    later!("The same surfaces under two lights: which colours change."),
 )
 .once(&["lights"]);
 
 pub(super) const METAMERS: Row = row(
     Page::Metamers,
     Place::Through,
-    ("Metamers", "metamers"),
+    (later!("Metamers"), "metamers"),
     "metamers",
-    "Surfaces that look alike under one light and differ under another, found and made.",
+    later!("Surfaces that look alike under one light and differ under another, found and made."),
 );
 
 /// What the comparison of two lights remembers.
@@ -55,18 +55,18 @@ impl Default for TwoLightsMemory {
 }
 
 impl TwoLightsMemory {
-    pub const ROOM: Knob<Self> = knob!(room_percent: "Part of the room",
+    pub const ROOM: Knob<Self> = knob!(room_percent: later!("Part of the room"),
         Reach::Within(-100.0, 100.0), 0 " %",
-        "The part of the room up to 0 and 1 that the metameric black takes.");
+        later!("The part of the room up to 0 and 1 that the metameric black takes."));
 }
 
 impl PageState for TwoLightsMemory {
     const KNOBS: &'static [Knob<Self>] = &[Self::ROOM];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("patch", "the surface chosen"),
-        ("pair", "the pair drawn"),
-        ("makes", "found or made"),
-        ("everywhere", "where pairs are looked for"),
+        ("patch", later!("the surface chosen")),
+        ("pair", later!("the pair drawn")),
+        ("makes", later!("found or made")),
+        ("everywhere", later!("where pairs are looked for")),
     ];
 }

@@ -8,12 +8,12 @@ use super::{Page, Place, Row, row, states::PageState};
 pub(super) const ROW: Row = row(
     Page::Coefficients,
     Place::Numbers,
-    ("Why few suffice", "why"),
+    (later!("Why few suffice"), "why"),
     "colour",
-    "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
+    later!("Why few numbers carry colour: the coefficients of the light beside those of the eye."),
 )
 .once(&["coefficients"])
-.titled_tab("For authors");
+.titled_tab(later!("For authors"));
 
 /// The partial sum and the bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -36,9 +36,11 @@ impl Default for WhyState {
 
 impl PageState for WhyState {
     const KNOBS: &'static [Knob<Self>] = &[
-        knob!(partial_order: "Sum of waves up to", Reach::Within(0.0, 100.0), 0 "",
-            "The order up to which the terms are summed."),
-        knob!(channel: "Bars of", Reach::Within(0.0, 2.0), 0 "",
-            "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z."),
+        knob!(partial_order: later!("Sum of waves up to"), Reach::Within(0.0, 100.0), 0 "",
+            later!("The order up to which the terms are summed.")),
+        knob!(channel: later!("Bars of"), Reach::Within(0.0, 2.0), 0 "",
+        later!(
+            "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z."
+        )),
     ];
 }

@@ -19,7 +19,9 @@ pub(super) fn picture_of(photo: Photo, is_linear: bool) -> Result<Picture, Strin
         ColourPixels::Sixteen(codes) => Codes::Sixteen(codes),
     };
     let picture = Picture::new(photo.size, codes, photo.is_linear || is_linear);
-    picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
+    picture.ok_or_else(|| {
+        said!("found too few pixels, expected those of the whole picture").to_owned()
+    })
 }
 
 /// Where the light of another picture of the same size is read, and how.
@@ -37,13 +39,22 @@ pub(super) fn of_strip(
     along: Along<'_>,
     others: &[Tones],
 ) -> Result<(Found, Vec<Profile>), String> {
-    let photo = read_photo(path)
-        .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
+    let photo = read_photo(path).map_err(|why| {
+        tr!(
+            "found {found}, expected {expected}",
+            found = why.found,
+            expected = why.expected
+        )
+    })?;
     let size = along.size;
     if photo.size != size {
-        return Err(format!(
-            "found {} x {} px, expected {} x {}, as the other picture has",
-            photo.size[0], photo.size[1], size[0], size[1]
+        return Err(tr!(
+            "found {width} x {height} px, expected {other_width} x {other_height}, as the other \
+             picture has",
+            width = photo.size[0],
+            height = photo.size[1],
+            other_width = size[0],
+            other_height = size[1]
         ));
     }
     let mut picture = picture_of(photo, along.is_linear)?;

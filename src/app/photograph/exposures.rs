@@ -7,7 +7,7 @@ use super::{
     Photograph,
     along::{Along, of_strip},
 };
-use crate::photographs::Profile;
+use crate::{languages::fixed, photographs::Profile};
 
 /// A picture that was exposed for some time.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,16 +119,17 @@ impl Exposed {
         for _ in 0..4 {
             along.tones.light_power = power;
             let profiles = profiles(exposures, along)?;
-            let (left, uneven) = power_of(&profiles).ok_or(
+            let (left, uneven) = power_of(&profiles).ok_or(said!(
                 "found exposures with too few columns in common, or too near to each other, \
-                 expected two of one light whose times differ by a fifth and more",
-            )?;
+                 expected two of one light whose times differ by a fifth and more"
+            ))?;
             power *= left;
             is_uneven = uneven;
             if !(POWERS.0..=POWERS.1).contains(&power) {
-                return Err(format!(
-                    "found values that go with the light to the power {power:.2}, expected about 1: \
-                     are these exposures of one light, and their times right?"
+                return Err(tr!(
+                    "found values that go with the light to the power {power}, expected about 1: \
+                     are these exposures of one light, and their times right?",
+                    power = fixed(power, 2)
                 ));
             }
         }

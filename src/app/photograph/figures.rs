@@ -9,6 +9,7 @@ use crate::{
         xy_from_xyz,
         xyz::xyz_from_nm_values,
     },
+    languages::fixed,
     photographs::response::STEP_NM,
 };
 
@@ -76,15 +77,15 @@ impl ColourFigures {
     /// # Errors
     /// Why there are none, in words.
     pub fn of(photograph: &Photograph) -> Result<Self, String> {
-        let curve = (photograph.used_curve()).ok_or("no axis: no colour figures")?;
+        let curve = (photograph.used_curve()).ok_or(said!("no axis: no colour figures"))?;
         let through = photograph.through.as_ref();
-        let through = through.ok_or("the instrument has no response: no colour figures")?;
+        let through = through.ok_or(said!("the instrument has no response: no colour figures"))?;
         if through.disagreement > through.most_disagreement {
-            return Err(
-                "the camera's values are not proportional to light: colour figures would \
-                        be wrong by 10 % and more"
-                    .to_owned(),
-            );
+            return Err(said!(
+                "the camera's values are not proportional to light: colour figures would be wrong \
+                 by 10 % and more"
+            )
+            .to_owned());
         }
         let profile = &photograph.found.profile;
         let needed = |c: &usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&curve.nm(*c as f64));
@@ -92,10 +93,12 @@ impl ColourFigures {
             .filter(needed)
             .any(|c| profile.clipped[c])
         {
-            return Err("over-exposed: take it again, darker".to_owned());
+            return Err(said!("over-exposed: take it again, darker").to_owned());
         }
         let last = profile.columns() as f64 - 1.0;
-        let valid = photograph.reach_nm().ok_or("no axis: no colour figures")?;
+        let valid = photograph
+            .reach_nm()
+            .ok_or(said!("no axis: no colour figures"))?;
         let corrected = &through.corrected;
         let values = corrected
             .nm
@@ -110,9 +113,10 @@ impl ColourFigures {
             })
             .collect();
         if !reaches(&known, COLOUR_NM) {
-            return Err(format!(
-                "the light is not known from {} to {} nm: no colour figures",
-                COLOUR_NM.0, COLOUR_NM.1
+            return Err(tr!(
+                "the light is not known from {from} to {to} nm: no colour figures",
+                from = fixed(COLOUR_NM.0, 0),
+                to = fixed(COLOUR_NM.1, 0)
             ));
         }
         Ok(Self::drawn(&known, through.bulb))

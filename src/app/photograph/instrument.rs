@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     app::today,
+    languages::fixed,
     photographs::{
         axis::{Answer, Curve, State},
         hue::{Hues, MOST_ALIKE},
@@ -162,21 +163,34 @@ impl Instrument {
     /// What was found and what was expected.
     pub fn read(text: &str) -> Result<Self, String> {
         let value: Value = serde_json::from_str(text)
-            .map_err(|_| "found no JSON, expected the file of an instrument".to_owned())?;
+            .map_err(|_| said!("found no JSON, expected the file of an instrument").to_owned())?;
         if value["format"] != FORMAT {
-            return Err("found another format, expected the file of an instrument".to_owned());
+            return Err(
+                said!("found another format, expected the file of an instrument").to_owned(),
+            );
         }
         match value["version"].as_u64() {
             Some(VERSION) => {}
             found => {
-                let found = found.map_or("no version".to_owned(), |v| format!("version {v}"));
-                return Err(format!(
-                    "found {found}, expected {VERSION}: a newer program may read it"
-                ));
+                return Err(match found {
+                    Some(found) => tr!(
+                        "found version {found}, expected {expected}: a newer program may read it",
+                        found,
+                        expected = VERSION
+                    ),
+                    None => tr!(
+                        "found no version, expected {expected}: a newer program may read it",
+                        expected = VERSION
+                    ),
+                });
             }
         }
-        let instrument: Self = serde_json::from_value(value)
-            .map_err(|why| format!("found a damaged instrument ({why}), expected a whole one"))?;
+        let instrument: Self = serde_json::from_value(value).map_err(|why| {
+            tr!(
+                "found a damaged instrument ({why}), expected a whole one",
+                why
+            )
+        })?;
         let axis = instrument.curve();
         let numbers = axis.c.iter().chain(axis.covariance.iter().flatten());
         let is_whole = numbers.chain([&axis.centre_px]).all(|n| n.is_finite())
@@ -191,7 +205,7 @@ impl Instrument {
             Ok(instrument)
         } else {
             Err(
-                "found an axis or a strip that cannot be, expected those of an instrument"
+                said!("found an axis or a strip that cannot be, expected those of an instrument")
                     .to_owned(),
             )
         }
@@ -330,16 +344,20 @@ impl Instrument {
         let is_alike = (shape(size) / shape(own) - 1.0).abs() <= MOST_SHAPE;
         if own != size && !(is_alike && yes) {
             let asked = if is_alike {
-                "is it the whole picture at another scale? (--yes)"
+                said!("is it the whole picture at another scale? (--yes)")
             } else if shape([height, width]) == shape(own) {
-                "it is turned: turn it back"
+                said!("it is turned: turn it back")
             } else {
-                "another shape is another picture"
+                said!("another shape is another picture")
             };
-            return Err(format!(
-                "found {width} x {height} px, expected {} x {}: this instrument was made with \
-                 pictures of that size, {asked}",
-                own[0], own[1]
+            return Err(tr!(
+                "found {width} x {height} px, expected {own_width} x {own_height}: this \
+                 instrument was made with pictures of that size, {remark}",
+                width,
+                height,
+                own_width = own[0],
+                own_height = own[1],
+                remark = asked
             ));
         }
         let along = if self.strip.vertical { height } else { width };
@@ -387,19 +405,20 @@ impl Instrument {
         let by_lines = answer.and_then(|answer| shift_by_lines(&curve, answer, peaks));
         let shift_px = by_lines.or(by_hue.map(|h| h.px));
         let hue_difference = by_hue.map(|h| h.difference);
-        let another = "this is not the same instrument, or it was moved: calibrate anew";
+        let advice = said!("this is not the same instrument, or it was moved: calibrate anew");
         let apart = by_hue
             .zip(by_lines)
             .map(|(hue, lines)| (hue.px - lines).abs() * step);
         let fit = match shift_px {
             _ if hue_difference.is_some_and(|d| d > MOST_ALIKE) => {
-                Fit::No(format!("the colours of its columns differ: {another}"))
+                Fit::No(tr!("the colours of its columns differ: {advice}", advice))
             }
-            _ if apart.is_some_and(|nm| nm > MOST_APART_NM) => Fit::No(format!(
-                "its lines and its colours moved differently: {another}"
+            _ if apart.is_some_and(|nm| nm > MOST_APART_NM) => Fit::No(tr!(
+                "its lines and its colours moved differently: {advice}",
+                advice
             )),
             Some(px) if px.abs() > MOST_SHIFT_PX => {
-                Fit::No(format!("moved by {px:.1} px: {another}"))
+                Fit::No(tr!("moved by {px} px: {advice}", px = fixed(px, 1), advice))
             }
             Some(px) if px.abs() * step < LEAST_SHIFT_NM => Fit::AsItIs,
             Some(px) => Fit::Moved(px),

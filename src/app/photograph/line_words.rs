@@ -1,9 +1,12 @@
 //! The lines of an axis by the elements that they are of.
 
 use super::Photograph;
-use crate::photographs::{
-    Lamp,
-    axis::{Match, Solution},
+use crate::{
+    languages::fixed,
+    photographs::{
+        Lamp,
+        axis::{Match, Solution},
+    },
 };
 
 /// Lines of mercury, and of terbium and europium in the phosphors of fluorescent lamps, nm.
@@ -74,12 +77,12 @@ pub(super) fn told(photograph: &Photograph, best: &Solution) -> String {
         let who = match elements_at(best.lamp, nm, fwhm)[..] {
             [] => symbol(best.lamp).to_owned(),
             [one] => one.to_owned(),
-            ref all => format!("{} together", all.join(" and ")),
+            ref all => tr!("{elements} together", elements = all.join(said!(" and "))),
         };
         if who == last || who.is_empty() {
-            words.push(format!("{nm:.1}"));
+            words.push(fixed(nm, 1));
         } else {
-            words.push(format!("{who} {nm:.1}"));
+            words.push(format!("{who} {}", fixed(nm, 1)));
         }
         last = who;
     }

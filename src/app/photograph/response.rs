@@ -184,7 +184,7 @@ impl Kept {
         of: &mut Photograph,
         own: Option<&Path>,
     ) -> Result<Self, String> {
-        let no_axis = "found no axis, expected one to learn a response on";
+        let no_axis = said!("found no axis, expected one to learn a response on");
         let curve = of.used_curve().ok_or(no_axis)?;
         let reach = of.reach_nm().ok_or(no_axis)?;
         let along = Along {
@@ -205,12 +205,13 @@ impl Kept {
         };
         let inside = |column: usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&seen.nm(column as f64));
         if (0..found.profile.columns()).any(|c| found.profile.clipped[c] && inside(c)) {
-            return Err("over-exposed: take it again, darker".to_owned());
+            return Err(said!("over-exposed: take it again, darker").to_owned());
         }
         let range = (reach.0.max(380.0), reach.1.min(780.0));
         let learn = |profile: &Profile| Response::learn(profile, &seen, range, known.power());
-        let mut response =
-            learn(&found.profile).ok_or("the known light and this picture have no nm in common")?;
+        let mut response = learn(&found.profile).ok_or(said!(
+            "the known light and this picture have no nm in common"
+        ))?;
         let mut tone_p = of.tones.s_power;
         let plain = response.disagreement_of(&of.found.profile, &curve);
         let limit = most_disagreement(of);

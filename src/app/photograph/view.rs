@@ -95,7 +95,7 @@ impl PhotographAsk {
                 let photo = read_photo(path).map_err(|why: ReadError| why.to_string())?;
                 (photo, name_of(path), Some(&**path))
             }
-            PictureOf::Example => (example::photo(), "an example".to_owned(), None),
+            PictureOf::Example => (example::photo(), said!("an example").to_owned(), None),
         };
         let about = About::of(&photo, path);
         let mut picture = picture_of(photo, self.said.is_linear)?;
@@ -172,7 +172,7 @@ impl Photograph {
             unit: "relative".to_owned(),
             scale: 1.0,
             samples: Sampled::new(nm, values).ok()?,
-            notes: vec!["Made from a picture.".to_owned()],
+            notes: vec![said!("Made from a picture.").to_owned()],
             source: self.file.clone(),
         })
     }

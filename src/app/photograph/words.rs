@@ -7,8 +7,12 @@ use super::{
 };
 use crate::{
     app::cells::{Columns, Table, cell, column, rounded},
-    io::{many::many, one_line},
-    photographs::axis::{Match, Pin, Solution},
+    io::one_line,
+    languages::{fixed, said},
+    photographs::{
+        Lamp,
+        axis::{Match, Pin, Solution},
+    },
 };
 
 /// A figure for JSON: rounded to what it is worth, never a number that is none.
@@ -24,43 +28,46 @@ fn figure(value: f64, digits: i32) -> Value {
 
 /// What the axis is, in one sentence with its evidence.
 pub fn sentence(photograph: &Photograph) -> String {
-    let [what, lines] = sentence_parts(photograph);
-    if lines.is_empty() {
-        return what;
+    match (photograph.source(), best_of(photograph)) {
+        (Source::Found, Some(best)) => tr!(
+            "Looks like {lamp}: {lines}. Right?",
+            lamp = called(best),
+            lines = lines(photograph, best)
+        ),
+        (Source::Suggested, Some(best)) => tr!(
+            "Perhaps {lamp}: {lines}. Right? (--yes takes it)",
+            lamp = called(best),
+            lines = lines(photograph, best)
+        ),
+        _ => {
+            let [what, _] = sentence_parts(photograph);
+            what
+        }
     }
-    let what = what.trim_end_matches(". Right?");
-    match photograph.source() {
-        Source::Suggested => format!("{what}: {lines}. Right? (--yes takes it)"),
-        _ => format!("{what}: {lines}. Right?"),
-    }
+}
+
+fn best_of(photograph: &Photograph) -> Option<&Solution> {
+    photograph.answer.as_ref()?.best.as_ref()
 }
 
 /// What the axis is, and apart from it the lines that say so; none where no lines do.
 pub fn sentence_parts(photograph: &Photograph) -> [String; 2] {
-    let best = photograph
-        .answer
-        .as_ref()
-        .and_then(|answer| answer.best.as_ref());
-    let what = match (photograph.source(), best) {
-        (Source::Pins, _) => {
-            let count = photograph.pins.len();
-            let doubt = if count == 2 {
-                ", 1-8 nm wrong between grating and line"
-            } else {
-                ""
-            };
-            format!("The axis goes through {count} pins{doubt}.")
-        }
+    let what = match (photograph.source(), best_of(photograph)) {
+        (Source::Pins, _) => match photograph.pins.len() {
+            2 => said!("The axis goes through 2 pins, 1-8 nm wrong between grating and line.")
+                .to_owned(),
+            count => tr!("The axis goes through {count} pins.", count),
+        },
         (Source::Instrument, _) => of_instrument(photograph),
         (Source::Found, Some(best)) => {
-            let words = format!("Looks like {}. Right?", called(best));
+            let words = tr!("Looks like {lamp}. Right?", lamp = called(best));
             return [words, lines(photograph, best)];
         }
         (Source::Suggested, Some(best)) => {
-            let words = format!("Perhaps {}. Right?", called(best));
+            let words = tr!("Perhaps {lamp}. Right?", lamp = called(best));
             return [words, lines(photograph, best)];
         }
-        _ => "Cannot be said: no axis is known.".to_owned(),
+        _ => said!("Cannot be said: no axis is known.").to_owned(),
     };
     [what, String::new()]
 }
@@ -73,78 +80,99 @@ fn of_instrument(photograph: &Photograph) -> String {
     let name = &applied.name;
     match applied.fit {
         Fit::Moved(px) if photograph.yes => {
-            format!("Read with the instrument {name}, moved by {px:.1} px since.")
+            tr!(
+                "Read with the instrument {name}, moved by {px} px since.",
+                name,
+                px = fixed(px, 1)
+            )
         }
         Fit::Moved(px) => {
-            format!("The instrument {name} has moved by {px:.1} px since; taken along? (--yes)")
+            tr!(
+                "The instrument {name} has moved by {px} px since; taken along? (--yes)",
+                name,
+                px = fixed(px, 1)
+            )
         }
-        Fit::Unchecked if !photograph.yes => format!(
+        Fit::Unchecked if !photograph.yes => tr!(
             "Nothing in this picture tells whether the instrument {name} still fits. Does it? \
-             (--yes)"
+             (--yes)",
+            name
         ),
-        _ => format!("Read with the instrument {name}."),
+        _ => tr!("Read with the instrument {name}.", name),
     }
 }
 
 /// A lamp with its article.
-fn called(best: &Solution) -> String {
-    match best.lamp.name() {
-        "daylight" => "daylight".to_owned(),
-        name @ "argon" => format!("an {name} lamp"),
-        name => format!("a {name} lamp"),
+fn called(best: &Solution) -> &'static str {
+    match best.lamp {
+        Lamp::Fluorescent => said!("a fluorescent lamp"),
+        Lamp::Mercury => said!("a mercury lamp"),
+        Lamp::Sodium => said!("a sodium lamp"),
+        Lamp::Neon => said!("a neon lamp"),
+        Lamp::Argon => said!("an argon lamp"),
+        Lamp::Krypton => said!("a krypton lamp"),
+        Lamp::Xenon => said!("a xenon lamp"),
+        Lamp::Hydrogen => said!("a hydrogen lamp"),
+        Lamp::Helium => said!("a helium lamp"),
+        Lamp::Daylight => said!("daylight"),
     }
 }
 
 fn lines(photograph: &Photograph, best: &Solution) -> String {
-    format!(
-        "{}; {} lines fit within {:.1} nm (within {:.1} where each is left out in turn)",
-        told(photograph, best),
-        best.matches.len(),
-        best.rms_nm(),
-        best.left_out_rms_nm()
+    tr!(
+        "{lines}; {count} lines fit within {rms} nm (within {left_out_rms} where each is left out \
+         in turn)",
+        lines = told(photograph, best),
+        count = best.matches.len(),
+        rms = fixed(best.rms_nm(), 1),
+        left_out_rms = fixed(best.left_out_rms_nm(), 1)
     )
 }
 
 /// What is to be known of a photograph before it is believed.
 pub fn warnings(photograph: &Photograph) -> Vec<String> {
     let found = &photograph.found;
-    let mut warnings: Vec<String> = photograph.notes.iter().map(|n| (*n).to_owned()).collect();
+    let mut warnings: Vec<String> = photograph
+        .notes
+        .iter()
+        .map(|&note| said(note).to_owned())
+        .collect();
     if found.strips > 1 && !photograph.by_hand {
         warnings.push(match found.strips {
-            2 => "two strips were found, the stronger is read".to_owned(),
-            count => format!("{count} strips were found, the strongest is read"),
+            2 => said!("two strips were found, the stronger is read").to_owned(),
+            count => tr!("{count} strips were found, the strongest is read", count),
         });
     }
     if found.profile.is_grey {
         warnings.push(
-            "the strip is grey: no colours to check the axis by, so only a sure match counts"
-                .to_owned(),
+            said!(
+                "the strip is grey: no colours to check the axis by, so only a sure match counts"
+            )
+            .to_owned(),
         );
     }
     if !found.profile.black_seen {
-        warnings.push("black level not seen".to_owned());
+        warnings.push(said!("black level not seen").to_owned());
     }
     let columns = found.profile.columns();
     let clipped = found.profile.clipped_columns();
     if 10 * clipped > columns {
-        warnings.push(format!(
-            "{} % of the columns are clipped",
-            100 * clipped / columns
+        warnings.push(tr!(
+            "{share} % of the columns are clipped",
+            share = 100 * clipped / columns
         ));
     }
     let peaks = &photograph.peaks().peaks;
     let of_lines = peaks.iter().filter(|p| p.is_clipped).count();
-    match of_lines {
-        0 => {}
-        1 => warnings.push("1 line is clipped: its height is not known".to_owned()),
-        _ => warnings.push(format!(
-            "{of_lines} lines are clipped: their height is not known"
-        )),
+    if of_lines > 0 {
+        warnings.push(tr!("{n} line is clipped: its height is not known"
+            | "{n} lines are clipped: their height is not known" % of_lines));
     }
     if photograph.bright.hairlines > 0 {
         let count = photograph.bright.hairlines;
-        let lines = many(count, "thin drawn line was", "thin drawn lines were");
-        warnings.push(format!("{lines} ignored"));
+        warnings.push(tr!(
+            "{n} thin drawn line was ignored" | "{n} thin drawn lines were ignored" % count
+        ));
     }
     // Beside an instrument or pins it does not matter what the lines alone would say.
     if matches!(
@@ -162,28 +190,33 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
         warnings.extend(of_exposures(exposed));
     }
     if photograph.pins.iter().any(is_a_laser_diode) {
-        warnings.push("laser diodes are off by up to 10 nm".to_owned());
+        warnings.push(said!("laser diodes are off by up to 10 nm").to_owned());
     }
     let tone_p = photograph.through.as_ref().map_or(1.0, |t| t.tone_p);
     if tone_p != 1.0 {
-        warnings.push(format!(
-            "this camera bends its tones; undone (p = {tone_p:.1})"
+        warnings.push(tr!(
+            "this camera bends its tones; undone (p = {power})",
+            power = fixed(tone_p, 1)
         ));
     }
     let reach = photograph.valid_nm().zip(photograph.reach_nm());
     if let (Some(Ok(_)), Some((valid, reach))) = (&photograph.figures, reach)
         && (reach.0 < valid.0 || reach.1 > valid.1)
     {
-        warnings.push(format!(
-            "the figures use the axis from {:.0} to {:.0} nm, its lines fix it from {:.0} to {:.0}",
-            reach.0, reach.1, valid.0, valid.1
+        warnings.push(tr!(
+            "the figures use the axis from {used_from} to {used_to} nm, its lines fix it from \
+             {fixed_from} to {fixed_to}",
+            used_from = fixed(reach.0, 0),
+            used_to = fixed(reach.1, 0),
+            fixed_from = fixed(valid.0, 0),
+            fixed_to = fixed(valid.1, 0)
         ));
     }
     if let Some(Err(why)) = &photograph.figures {
         warnings.push(why.clone());
     }
     if photograph.source() == Source::Pins && photograph.pins.len() == 2 {
-        warnings.push("two points: 1-8 nm wrong between grating and line".to_owned());
+        warnings.push(said!("two points: 1-8 nm wrong between grating and line").to_owned());
     }
     warnings
 }
@@ -192,21 +225,24 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
 fn of_exposures(exposed: &Exposed) -> Vec<String> {
     let mut words = Vec::new();
     if exposed.light_power != 1.0 {
-        words.push(format!(
-            "this camera's values go with the light to the power {:.2}; undone",
-            exposed.light_power
+        words.push(tr!(
+            "this camera's values go with the light to the power {power}; undone",
+            power = fixed(exposed.light_power, 2)
         ));
     }
     if exposed.is_uneven {
         words.push(
-            "bright columns change by another factor between the exposures than dark ones: the \
-             camera's tones are no power of the light"
-                .to_owned(),
+            said!(
+                "bright columns change by another factor between the exposures than dark ones: \
+                 the camera's tones are no power of the light"
+            )
+            .to_owned(),
         );
     }
     if !exposed.joined.is_empty() {
-        let columns = many(exposed.joined.len(), "column is", "columns are");
-        words.push(format!("{columns} from a darker exposure"));
+        let count = exposed.joined.len();
+        words.push(tr!("{n} column is from a darker exposure"
+            | "{n} columns are from a darker exposure" % count));
     }
     words
 }
@@ -298,7 +334,8 @@ pub fn colour_words(photograph: &Photograph) -> Option<String> {
     let figures = photograph.figures.as_ref()?.as_ref().ok()?;
     let told = |name: &str, of: Option<Estimate>, digits: usize, unit: &str| {
         of.map(|[low, best, high]| {
-            format!("{name} {best:.digits$}{unit} ({low:.digits$}-{high:.digits$})")
+            let [low, best, high] = [low, best, high].map(|value| fixed(value, digits));
+            format!("{name} {best}{unit} ({low}-{high})")
         })
     };
     let all = [
@@ -307,7 +344,12 @@ pub fn colour_words(photograph: &Photograph) -> Option<String> {
         told("Rf", figures.rf, 0, ""),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
-    (!all.is_empty()).then(|| format!("Estimates, with their bands: {}.", all.join(", ")))
+    (!all.is_empty()).then(|| {
+        tr!(
+            "Estimates, with their bands: {figures}.",
+            figures = all.join(", ")
+        )
+    })
 }
 
 /// The wavelength at a pixel, none where the axis has none.

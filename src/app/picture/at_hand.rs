@@ -40,7 +40,7 @@ fn wall() -> Option<ImageEntry> {
     let bands: Vec<(f64, usize)> = nm.iter().copied().zip(0..).collect();
     let (width, height) = scene.size();
     let cube = Cube::new(width, height, &bands, layout, Arc::new(bytes.collect())).ok()?;
-    let name = "A wall of paints".to_owned();
+    let name = later!("A wall of paints").to_owned();
     Some(ImageEntry {
         key: WALL_KEY.to_owned(),
         from: FromFile {
@@ -62,11 +62,13 @@ fn wall() -> Option<ImageEntry> {
             bandwidth_nm: None,
             cube,
             notes: vec![
-                "Made: tiles of measured paints, half of them with a gloss, seen by a camera with \
-                 noise."
-                    .to_owned(),
+                later!(
+                    "Made: tiles of measured paints, half of them with a gloss, seen by a camera \
+                     with noise."
+                )
+                .to_owned(),
             ],
-            source: "made by this program".to_owned(),
+            source: later!("made by this program").to_owned(),
         }),
     })
 }

@@ -3,7 +3,10 @@
 use std::sync::LazyLock;
 
 use super::Raster;
-use crate::color::{Srgb, Swatch, Xyz, srgb::linear_from_xyz};
+use crate::{
+    color::{Srgb, Swatch, Xyz, srgb::linear_from_xyz},
+    languages::fixed,
+};
 
 /// The two greys of the chequers where nothing was measured.
 pub const NOT_MEASURED: [[u8; 3]; 2] = [[70; 3], [100; 3]];
@@ -92,23 +95,36 @@ impl Exposed {
     /// What is not shown as it is, in words; empty when everything is.
     pub fn words(&self) -> String {
         let mut parts = Vec::new();
-        let share = |count: usize| {
-            let percent = 100.0 * count as f64 / self.pixels.len().max(1) as f64;
-            match percent {
-                p if p < 0.1 && count == 1 => "1 pixel is".to_owned(),
-                p if p < 0.1 => format!("{count} pixels are"),
-                p if p < 10.0 => format!("{p:.1} % of the pixels are"),
-                p => format!("{p:.0} % of the pixels are"),
-            }
+        // In percent; few pixels are counted instead.
+        let share = |count: usize| match 100.0 * count as f64 / self.pixels.len().max(1) as f64 {
+            p if p < 0.1 => None,
+            p if p < 10.0 => Some(fixed(p, 1)),
+            p => Some(fixed(p, 0)),
         };
-        for (count, what) in [
-            (self.not_measured, "not measured, chequered"),
-            (self.outside_gamut, "outside sRGB, cut to it"),
-            (self.too_bright, "brighter than white, cut"),
-        ] {
-            if count > 0 {
-                parts.push(format!("{} {what}", share(count)));
-            }
+        let [dark, strong, bright] = [self.not_measured, self.outside_gamut, self.too_bright];
+        if dark > 0 {
+            parts.push(match share(dark) {
+                None => tr!("{n} pixel is not measured, chequered"
+                    | "{n} pixels are not measured, chequered" % dark),
+                Some(share) => tr!("{share} % of the pixels are not measured, chequered", share),
+            });
+        }
+        if strong > 0 {
+            parts.push(match share(strong) {
+                None => tr!("{n} pixel is outside sRGB, cut to it"
+                    | "{n} pixels are outside sRGB, cut to it" % strong),
+                Some(share) => tr!("{share} % of the pixels are outside sRGB, cut to it", share),
+            });
+        }
+        if bright > 0 {
+            parts.push(match share(bright) {
+                None => tr!("{n} pixel is brighter than white, cut"
+                    | "{n} pixels are brighter than white, cut" % bright),
+                Some(share) => tr!(
+                    "{share} % of the pixels are brighter than white, cut",
+                    share
+                ),
+            });
         }
         parts.join("; ")
     }

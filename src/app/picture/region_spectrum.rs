@@ -129,20 +129,38 @@ fn place_words(image: &SpectralImage, region: &Region) -> String {
     } = region.rect;
     let (across, down) = (image.cube.width(), image.cube.height());
     let mut words = if region.rect.pixels() == 1 {
-        format!("Pixel in column {x}, row {y} (counted from 0) of {across} x {down}")
+        tr!(
+            "Pixel in column {x}, row {y} (counted from 0) of {across} x {down}",
+            x,
+            y,
+            across,
+            down
+        )
     } else {
-        format!(
-            "Mean of {width} x {height} pixels: columns {x}-{}, rows {y}-{} (counted from 0) of \
-             {across} x {down}",
-            x + width - 1,
-            y + height - 1
+        tr!(
+            "Mean of {width} x {height} pixels: columns {x}-{last_x}, rows {y}-{last_y} (counted \
+             from 0) of {across} x {down}",
+            width,
+            height,
+            x,
+            last_x = x + width - 1,
+            y,
+            last_y = y + height - 1,
+            across,
+            down
         )
     };
     let pixels = region.rect.pixels();
     let least = region.measured.iter().copied().min().unwrap_or(0);
     if least < pixels {
         let most = region.measured.iter().copied().max().unwrap_or(0);
-        words += &format!("; {least} to {most} of {pixels} pixels were measured in a band");
+        words += "; ";
+        words += &tr!(
+            "{least} to {most} of {pixels} pixels were measured in a band",
+            least,
+            most,
+            pixels
+        );
     }
     words + "."
 }

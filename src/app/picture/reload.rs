@@ -158,11 +158,11 @@ fn pick(
     } = stored;
     let images = found.as_ref().map_err(Clone::clone)?;
     let image = images.get(*index).ok_or_else(|| {
-        format!(
-            "{}: found {} images, expected number {} again",
-            path.display(),
-            images.len(),
-            index + 1
+        tr!(
+            "{file}: found {count} images, expected number {number} again",
+            file = path.display(),
+            count = images.len(),
+            number = index + 1
         )
     })?;
     Ok(ImageEntry {
@@ -189,9 +189,9 @@ fn images_of(stored: &StoredImage) -> Result<Vec<ImageEntry>, String> {
             })
             .collect()),
         Loaded::Refused(why) => Err(why),
-        Loaded::Project { .. } => Err(format!(
-            "{}: found a project, expected an image again",
-            path.display()
+        Loaded::Project { .. } => Err(tr!(
+            "{file}: found a project, expected an image again",
+            file = path.display()
         )),
     }
 }
@@ -203,9 +203,14 @@ fn needs(path: &Path) -> Option<String> {
     let bytes = header.bytes()?;
     let name = path.file_name()?.to_string_lossy();
     (bytes >= WORTH_TELLING).then(|| {
-        format!(
-            "{name}: {width} x {height} pixels, {bands} bands, takes {} of memory; being read.",
-            budget::in_words(bytes)
+        tr!(
+            "{file}: {width} x {height} pixels, {bands} bands, takes {memory} of memory; being \
+             read.",
+            file = name,
+            width,
+            height,
+            bands,
+            memory = budget::in_words(bytes)
         )
     })
 }

@@ -19,10 +19,10 @@ impl Link {
         let (first, last) = (spectrum.samples.first_nm(), spectrum.samples.last_nm());
         let mut remarks = Vec::new();
         if first > band.min_nm() || last < band.max_nm() {
-            remarks.push(format!(
-                "its table covers {}-{} nm; beyond that its end values are used.",
-                short(first),
-                short(last)
+            remarks.push(tr!(
+                "its table covers {first}-{last} nm; beyond that its end values are used.",
+                first = short(first),
+                last = short(last)
             ));
         }
         if self.entry.shelf().is_none() {
@@ -43,35 +43,34 @@ impl Link {
 
     /// How a light meets it: "off red twice", "through glass 2 mm, 4 mm thick".
     pub fn met(&self) -> String {
-        let verb = match self.entry.kind() {
-            Kind::Reflectance => "off",
-            _ => "through",
-        };
         let once = Self {
             bounces: 1,
             ..self.clone()
         };
-        let times = match self.bounces {
-            1 => String::new(),
-            2 => " twice".to_owned(),
-            n => format!(" {n} times"),
-        };
-        format!("{verb} {}{times}", once.words())
+        let name = once.words();
+        match (self.entry.kind(), self.bounces) {
+            (Kind::Reflectance, 1) => tr!("off {name}", name),
+            (Kind::Reflectance, 2) => tr!("off {name} twice", name),
+            (Kind::Reflectance, times) => tr!("off {name} {times} times", name, times),
+            (_, 1) => tr!("through {name}", name),
+            (_, 2) => tr!("through {name} twice", name),
+            (_, times) => tr!("through {name} {times} times", name, times),
+        }
     }
 
     /// Its name, and what was made of it: "red, 3 times", "glass 2 mm, 4 mm thick".
     pub fn words(&self) -> String {
-        let mut words = self.entry.name().to_owned();
+        let mut words = vec![self.entry.name().to_owned()];
         if self.thickness != 1.0 {
-            words += &match self.measured_mm() {
-                Some(mm) => format!(", {} mm thick", short(mm * self.thickness)),
-                None => format!(", {} times as thick", short(self.thickness)),
-            };
+            words.push(match self.measured_mm() {
+                Some(mm) => tr!("{mm} mm thick", mm = short(mm * self.thickness)),
+                None => tr!("{times} times as thick", times = short(self.thickness)),
+            });
         }
         if self.bounces != 1 {
-            words += &format!(", {} times", self.bounces);
+            words.push(tr!("{times} times", times = self.bounces));
         }
-        words
+        words.join(", ")
     }
 }
 

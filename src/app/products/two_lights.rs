@@ -11,6 +11,7 @@ use crate::{
         ticks::short,
     },
     color::{Observer, Weights, delta_e_2000},
+    languages::fixed,
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, MetamericPair, TwoLights, metameric_black, two_lights},
 };
@@ -99,13 +100,18 @@ impl NoMetamer {
     /// A sentence for people.
     pub fn words(self) -> &'static str {
         match self {
-            Self::NoPatch => "The set has no surface to make a metamer of.",
+            Self::NoPatch => said!("The set has no surface to make a metamer of."),
             Self::Unseen => {
-                "One of the lights is not seen on this range, so every surface matches every other."
+                said!(
+                    "One of the lights is not seen on this range, so every surface matches every \
+                     other."
+                )
             }
             Self::NoRoom => {
-                "There is no room: the surface touches 0 or 1 where a black would take it beyond, \
-                 or the light has too little colour on this range to have a black."
+                said!(
+                    "There is no room: the surface touches 0 or 1 where a black would take it \
+                     beyond, or the light has too little colour on this range to have a black."
+                )
             }
         }
     }
@@ -163,26 +169,37 @@ impl Made {
         let band = sheet.band;
         let (patch, percent) = (&sheet.names[self.patch], self.room_percent);
         Some(NamedSpectrum {
-            name: format!("{patch}, metamer under {}", sheet.lights[0]),
+            name: tr!(
+                "{surface}, metamer under {light}",
+                surface = patch,
+                light = sheet.lights[0]
+            ),
             kind: Kind::Reflectance,
             unit: "fraction".to_owned(),
             scale: 1.0,
             samples: Sampled::even(band.min_nm(), 1.0, self.values.clone()).ok()?,
             notes: vec![
-                format!(
-                    "Made: {patch} plus the metameric black of {} on {}-{} nm (the one sum of the \
-                     first four half-range cosines that this light shows as nothing), {percent} % \
-                     of the room within 0 to 1.",
-                    sheet.lights[0],
-                    short(band.min_nm()),
-                    short(band.max_nm()),
+                tr!(
+                    "Made: {surface} plus the metameric black of {light} on {min}-{max} nm (the \
+                     one sum of the first four half-range cosines that this light shows as \
+                     nothing), {share} % of the room within 0 to 1.",
+                    surface = patch,
+                    light = sheet.lights[0],
+                    min = short(band.min_nm()),
+                    max = short(band.max_nm()),
+                    share = percent
                 ),
-                format!(
-                    "CIEDE2000 to {patch}: {:.2} under {}, {:.2} under {}.",
-                    self.delta_e_2000[0], sheet.lights[0], self.delta_e_2000[1], sheet.lights[1]
+                tr!(
+                    "CIEDE2000 to {surface}: {first_difference} under {first_light}, \
+                     {second_difference} under {second_light}.",
+                    surface = patch,
+                    first_difference = fixed(self.delta_e_2000[0], 2),
+                    first_light = sheet.lights[0],
+                    second_difference = fixed(self.delta_e_2000[1], 2),
+                    second_light = sheet.lights[1]
                 ),
             ],
-            source: format!("made from {patch}"),
+            source: tr!("made from {name}", name = patch),
         })
     }
 }

@@ -24,14 +24,14 @@ pub struct Board {
 
 /// The surfaces that a client asks for: how they are called here, and the table.
 const CLIENTS: [[&str; 2]; 8] = [
-    ["light skin", "pmc_chart/Skin tone 1"],
-    ["medium skin", "pmc_chart/Skin tone 3"],
-    ["dark skin", "pmc_chart/Skin tone 4"],
-    ["strong red", "cri_tcs/TCS09"],
-    ["banana", "pmc_chart/Banana"],
-    ["leaf", "colorchecker_ohta/foliage"],
-    ["blue sky", "pmc_chart/Blue Sky"],
-    ["white", "colorchecker_ohta/white 9.5 (.05 D)"],
+    [later!("light skin"), "pmc_chart/Skin tone 1"],
+    [later!("medium skin"), "pmc_chart/Skin tone 3"],
+    [later!("dark skin"), "pmc_chart/Skin tone 4"],
+    [later!("strong red"), "cri_tcs/TCS09"],
+    [later!("banana"), "pmc_chart/Banana"],
+    [later!("leaf"), "colorchecker_ohta/foliage"],
+    [later!("blue sky"), "pmc_chart/Blue Sky"],
+    [later!("white"), "colorchecker_ohta/white 9.5 (.05 D)"],
 ];
 
 /// Where colours are compared with a reference: where the samples of TM-30 are known.

@@ -17,6 +17,7 @@ use super::{
 };
 use crate::{
     color::quality::{Fidelity, Light, NoFigure, Rendering, diagram::quadrangle_of},
+    languages::{fixed, signed},
     measurements::Doubted,
     spectrum::NamedSpectrum,
     study::{
@@ -140,7 +141,7 @@ fn pairs(first: Vec<Row>, second: Vec<Row>) -> Vec<[Row; 2]> {
             .iter()
             .find(|other| other.figure.key == row.figure.key);
         let same = same.cloned().unwrap_or_else(|| Row {
-            value: Err("counted in another unit".to_owned()),
+            value: Err(said!("counted in another unit").to_owned()),
             reading: String::new(),
             doubt: None,
             ..row.clone()
@@ -156,9 +157,9 @@ fn joined(sides: &[Side], words: impl Fn(&Side) -> String) -> String {
     all.join(" ")
 }
 
-/// "FL2 has no ...: why", for sentences that need a figure.
-fn without(name: &str, what: &str, why: &NoFigure) -> String {
-    format!("{name} has no {what}: {why}.")
+/// For a sentence that needs figures of what a light does to colours.
+fn without_rendition(name: &str, why: &NoFigure) -> String {
+    tr!("{name} has no colour rendition: {why}", name, why)
 }
 
 /// What is to be said of a table that is too coarse for figures of quality: their standards
@@ -168,7 +169,10 @@ pub fn coarse_words(spectrum: &NamedSpectrum) -> Option<String> {
     let step_nm = spectrum.samples.step_nm();
     (step_nm > MOST_NM).then(|| {
         let step = short(step_nm);
-        format!("Its table has steps of {step} nm, where these figures want 5 nm or less.")
+        tr!(
+            "Its table has steps of {step} nm, where these figures want 5 nm or less.",
+            step
+        )
     })
 }
 
@@ -176,15 +180,25 @@ fn place(side: &Side) -> String {
     let (name, figures) = (&side.name, &side.figures);
     let cct = match &figures.cct {
         Ok(cct) => cct,
-        Err(why) => return without(name, "colour temperature", why),
+        Err(why) => return tr!("{name} has no colour temperature: {why}.", name, why),
     };
     let white = figures.xy[0].clone().ok().and_then(quadrangle_of);
-    let white = white.map_or_else(
-        || "in none of the whites that lamps are sold by".to_owned(),
-        |white| format!("may be sold as {:.0} K", white.nominal_k),
-    );
-    let (title, duv) = (tint::title_words(*cct), cct.duv);
-    format!("{name}: {title} (Duv {duv:+.4}), {white}.")
+    let (title, duv) = (tint::title_words(*cct), signed(cct.duv, 4));
+    match white {
+        Some(white) => tr!(
+            "{name}: {title} (Duv {duv}), may be sold as {kelvin} K.",
+            name,
+            title,
+            duv,
+            kelvin = fixed(white.nominal_k, 0)
+        ),
+        None => tr!(
+            "{name}: {title} (Duv {duv}), in none of the whites that lamps are sold by.",
+            name,
+            title,
+            duv
+        ),
+    }
 }
 
 /// Highest order of the curves.
@@ -224,21 +238,31 @@ pub fn settled_words(found: &OrderFigures) -> String {
     let said = Chosen::ALL.map(|chosen| {
         let title = chosen.title();
         let Some(exact) = chosen.of(&found.exact) else {
-            return format!("{title} has no value");
+            return tr!("{title} has no value", title);
         };
         let near = chosen.near_enough(exact);
         let within = match chosen {
-            Chosen::Cct => format!("{near:.0} K"),
+            Chosen::Cct => format!("{} K", fixed(near, 0)),
             _ => short(near),
         };
         match found.settled_from(chosen) {
-            Some(order) => format!("{title} (within {within}) from {order}"),
-            None => format!("{title} (within {within}) with none up to {highest}"),
+            Some(order) => tr!(
+                "{title} (within {within}) from {order}",
+                title,
+                within,
+                order
+            ),
+            None => tr!(
+                "{title} (within {within}) with none up to {highest}",
+                title,
+                within,
+                highest
+            ),
         }
     });
-    format!(
-        "Waves that give the light's own figures: {}.",
-        said.join(", ")
+    tr!(
+        "Waves that give the light's own figures: {figures}.",
+        figures = said.join(", ")
     )
 }
 

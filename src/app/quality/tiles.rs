@@ -11,6 +11,7 @@ use crate::{
         tint, verdicts,
     },
     color::quality::NoFigure,
+    languages::{fixed, said},
     measurements::{Doubted, Figure, rounded},
 };
 
@@ -50,9 +51,9 @@ pub struct Told {
 
 /// The titles of the groups, each of four tiles.
 pub const GROUPS: [&str; 3] = [
-    "Colours",
-    "White and brightness",
-    "People, plants and cameras",
+    later!("Colours"),
+    later!("White and brightness"),
+    later!("People, plants and cameras"),
 ];
 
 /// Tiles of a group.
@@ -87,7 +88,7 @@ const OF_SAMPLE: Option<[f64; 3]> = Some([90.0, 75.0, 50.0]);
 /// The tiles, group by group.
 static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
     Kind {
-        title: "All colours",
+        title: later!("All colours"),
         of: Of::Purpose("colours"),
         ends: [0.0, 100.0],
         from: 0.0,
@@ -95,7 +96,7 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: Some([85.0, 70.0, 50.0]),
     },
     Kind {
-        title: "Light skin",
+        title: later!("Light skin"),
         of: Of::Purpose("skin"),
         ends: [0.0, 100.0],
         from: 0.0,
@@ -103,7 +104,7 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: OF_SAMPLE,
     },
     Kind {
-        title: "Strong red",
+        title: later!("Strong red"),
         of: Of::Purpose("reds"),
         ends: [0.0, 100.0],
         from: 0.0,
@@ -111,11 +112,13 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: OF_SAMPLE,
     },
     Kind {
-        title: "Vividness",
+        title: later!("Vividness"),
         of: Of::Own {
             figure: "Rg",
             digits: 0,
-            why: "Rg is 100 where colours are as vivid on average as under the reference (TM-30).",
+            why: later!(
+                "Rg is 100 where colours are as vivid on average as under the reference (TM-30)."
+            ),
             of: |side| known(&side.figures.fidelity).map(|found| found.rg),
         },
         ends: [60.0, 140.0],
@@ -124,11 +127,11 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: None,
     },
     Kind {
-        title: "White",
+        title: later!("White"),
         of: Of::Own {
             figure: "K",
             digits: 0,
-            why: "The correlated colour temperature: low is warm, high is cool.",
+            why: later!("The correlated colour temperature: low is warm, high is cool."),
             of: |side| known(&side.figures.cct).map(|cct| cct.kelvin),
         },
         ends: [1500.0, 8000.0],
@@ -140,11 +143,13 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: None,
     },
     Kind {
-        title: "Tint",
+        title: later!("Tint"),
         of: Of::Own {
             figure: "Duv",
             digits: 4,
-            why: "Duv is the distance from the line of blackbodies: green above it, pink below.",
+            why: later!(
+                "Duv is the distance from the line of blackbodies: green above it, pink below."
+            ),
             of: |side| known(&side.figures.cct).map(|cct| cct.duv),
         },
         ends: [-0.02, 0.02],
@@ -152,20 +157,30 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         word: |side, _| {
             let cct = side.figures.cct.as_ref();
             let tint = cct.map_or("", |cct| tint::tint(*cct));
-            if tint.is_empty() { "no tint" } else { tint }.to_owned()
+            if tint.is_empty() {
+                said!("no tint")
+            } else {
+                tint
+            }
+            .to_owned()
         },
         grades: None,
     },
     Kind {
-        title: "Light for its power",
+        title: later!("Light for its power"),
         of: Of::Purpose("energy"),
         ends: [0.0, 500.0],
         from: 0.0,
-        word: |_, lumens| format!("{:.0} % of the most possible", 100.0 * lumens / 683.0),
+        word: |_, lumens| {
+            tr!(
+                "{share} % of the most possible",
+                share = fixed(100.0 * lumens / 683.0, 0)
+            )
+        },
         grades: None,
     },
     Kind {
-        title: "Dark streets",
+        title: later!("Dark streets"),
         of: Of::Purpose("night"),
         ends: [0.0, 3.0],
         from: 0.0,
@@ -173,20 +188,23 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: None,
     },
     Kind {
-        title: "Reading and work",
+        title: later!("Reading and work"),
         of: Of::Purpose("reading"),
         ends: [0.0, 100.0],
         from: 0.0,
         word: |_, ra| {
             // As the figure is printed, so that the word does not contradict it.
             let reaches = ra.round() >= 80.0;
-            let how = if reaches { "reaches" } else { "misses" };
-            format!("{how} the 80 for desks")
+            let words = match reaches {
+                true => said!("reaches the 80 for desks"),
+                false => said!("misses the 80 for desks"),
+            };
+            words.to_owned()
         },
         grades: Some([90.0, 79.5, 60.0]),
     },
     Kind {
-        title: "Body clock",
+        title: later!("Body clock"),
         of: Of::Purpose("day"),
         ends: [0.0, 1.5],
         from: 0.0,
@@ -194,7 +212,7 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: None,
     },
     Kind {
-        title: "Plants",
+        title: later!("Plants"),
         of: Of::Purpose("plants"),
         ends: [0.0, 6.0],
         from: 0.0,
@@ -202,7 +220,7 @@ static KINDS: [Kind; GROUPS.len() * IN_GROUP] = [
         grades: None,
     },
     Kind {
-        title: "Cameras",
+        title: later!("Cameras"),
         of: Of::Purpose("cameras"),
         ends: [0.0, 100.0],
         from: 0.0,
@@ -232,7 +250,10 @@ fn of_daylight(value: f64, key: &str) -> String {
     let found = daylight.as_ref().zip(Purpose::of_key(key));
     let found = found.and_then(|(day, purpose)| purpose.figure_of(day).ok());
     found.map_or_else(String::new, |day| {
-        format!("{:.0} % of daylight's", 100.0 * value / day)
+        tr!(
+            "{share} % of daylight's",
+            share = fixed(100.0 * value / day, 0)
+        )
     })
 }
 
@@ -304,9 +325,9 @@ impl Kind {
             } => (figure, digits, why),
         };
         Tile {
-            title: self.title,
+            title: said(self.title),
             figure,
-            why,
+            why: said(why),
             ends: self.ends,
             from: self.from,
             sides: sides

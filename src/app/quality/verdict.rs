@@ -1,9 +1,10 @@
 //! What a light does, in sentences that a client understands.
 
-use super::without;
+use super::without_rendition;
 use crate::{
     app::{comparison::Side, tint, verdicts},
     color::quality::{Fidelity, HUE_NAMES},
+    languages::{fixed, said},
 };
 
 /// What a light does to colours, and what it is good enough for; two sentences.
@@ -11,41 +12,72 @@ pub(super) fn verdict(side: &Side) -> String {
     let (name, figures) = (&side.name, &side.figures);
     let (fidelity, rendering) = match (&figures.fidelity, &figures.rendering) {
         (Ok(fidelity), Ok(rendering)) => (fidelity, rendering),
-        (Err(why), _) | (_, Err(why)) => return without(name, "colour rendition", why),
+        (Err(why), _) | (_, Err(why)) => return format!("{}.", without_rendition(name, why)),
     };
-    let how = verdicts::of_rf(fidelity.rf);
+    let shifts = verdicts::shifts_on_average(name, fidelity.rf);
     let coloured = figures.cct.as_ref().is_ok_and(|cct| {
         // No reference of a white is like it.
         tint::whiteness(*cct) == tint::Whiteness::Coloured
     });
     if coloured || rendering.is_too_far() {
-        let rf = fidelity.rf;
-        return format!(
-            "{name} {how} on average (Rf {rf:.0}). It is not white enough for CRI to say more."
+        let rf = fixed(fidelity.rf, 0);
+        return tr!(
+            "{shifts} (Rf {rf}). It is not white enough for CRI to say more.",
+            shifts,
+            rf
         );
     }
     let [red, skin] = [8, 12].map(|i| rendering.samples[i].index);
-    let [red_looks, skin_looks] = [red, skin].map(verdicts::of_sample);
-    let surfaces = match red_looks == skin_looks {
-        true => format!("light skin and strong red both {}", plural(red_looks)),
-        false => format!("light skin {skin_looks}, strong red {red_looks}"),
+    let surfaces = match verdicts::Looks::of(skin) == verdicts::Looks::of(red) {
+        true => both_look(red).to_owned(),
+        false => format!("{}, {}", skin_looks(skin), red_looks(red)),
     };
     let ra = rendering.ra;
     // As the figure is printed, so that the sentence does not contradict it.
-    let reaches = if ra.round() >= 80.0 {
-        "reaches"
+    if ra.round() >= 80.0 {
+        tr!(
+            "{shifts}: {surfaces}. Its Ra of {ra} reaches the 80 that EN 12464-1 asks for where \
+             people read and work.",
+            shifts,
+            surfaces,
+            ra = fixed(ra, 0)
+        )
     } else {
-        "misses"
-    };
-    format!(
-        "{name} {how} on average: {surfaces}. Its Ra of {ra:.0} {reaches} the 80 that EN 12464-1 \
-         asks for where people read and work."
-    )
+        tr!(
+            "{shifts}: {surfaces}. Its Ra of {ra} misses the 80 that EN 12464-1 asks for where \
+             people read and work.",
+            shifts,
+            surfaces,
+            ra = fixed(ra, 0)
+        )
+    }
 }
 
-/// "looks off" of two.
-fn plural(looks: &str) -> String {
-    looks.replacen("looks", "look", 1)
+fn skin_looks(index: f64) -> &'static str {
+    match verdicts::Looks::of(index) {
+        verdicts::Looks::Right => said!("light skin looks right"),
+        verdicts::Looks::LittleOff => said!("light skin looks a little off"),
+        verdicts::Looks::Off => said!("light skin looks off"),
+        verdicts::Looks::Wrong => said!("light skin looks wrong"),
+    }
+}
+
+fn red_looks(index: f64) -> &'static str {
+    match verdicts::Looks::of(index) {
+        verdicts::Looks::Right => said!("strong red looks right"),
+        verdicts::Looks::LittleOff => said!("strong red looks a little off"),
+        verdicts::Looks::Off => said!("strong red looks off"),
+        verdicts::Looks::Wrong => said!("strong red looks wrong"),
+    }
+}
+
+fn both_look(index: f64) -> &'static str {
+    match verdicts::Looks::of(index) {
+        verdicts::Looks::Right => said!("light skin and strong red both look right"),
+        verdicts::Looks::LittleOff => said!("light skin and strong red both look a little off"),
+        verdicts::Looks::Off => said!("light skin and strong red both look off"),
+        verdicts::Looks::Wrong => said!("light skin and strong red both look wrong"),
+    }
 }
 
 /// The hue that shifts most under each light, a sentence.
@@ -54,10 +86,7 @@ pub(super) fn rendition(sides: &[Side]) -> String {
         let name = &side.name;
         match &side.figures.fidelity {
             Ok(fidelity) => worst_hue(name, fidelity, i > 0),
-            Err(why) => {
-                let words = without(name, "colour rendition", why);
-                words.trim_end_matches('.').to_owned()
-            }
+            Err(why) => without_rendition(name, why),
         }
     });
     let clauses: Vec<String> = clauses.collect();
@@ -69,15 +98,29 @@ fn worst_hue(name: &str, fidelity: &Fidelity, goes_on: bool) -> String {
     let known = bins.filter_map(|(bin, hue)| Some((bin.as_ref()?, hue)));
     let worst = known.min_by(|a, b| a.0.rf.total_cmp(&b.0.rf));
     worst.map_or_else(
-        || format!("{name} has no hue to tell of"),
+        || tr!("{name} has no hue to tell of", name),
         |(bin, hue)| {
             let how = verdicts::of_shift(bin.rcs, bin.rhs);
-            let under = if goes_on { "under" } else { "Under" };
+            let (hue, rf) = (said(hue), fixed(bin.rf, 0));
             // As the figure is printed: where the worst is 100, nothing shifts.
-            if bin.rf >= 99.5 {
-                return format!("{under} {name} no hue shifts: Rf {:.0} at worst", bin.rf);
+            match (bin.rf >= 99.5, goes_on) {
+                (true, false) => tr!("Under {name} no hue shifts: Rf {rf} at worst", name, rf),
+                (true, true) => tr!("under {name} no hue shifts: Rf {rf} at worst", name, rf),
+                (false, false) => tr!(
+                    "Under {name} {hue} shifts most: {how}, Rf {rf}",
+                    name,
+                    hue,
+                    how,
+                    rf
+                ),
+                (false, true) => tr!(
+                    "under {name} {hue} shifts most: {how}, Rf {rf}",
+                    name,
+                    hue,
+                    how,
+                    rf
+                ),
             }
-            format!("{under} {name} {hue} shifts most: {how}, Rf {:.0}", bin.rf)
         },
     )
 }
@@ -102,7 +145,7 @@ mod tests {
             assert!(words.contains(verdicts::of_rf(rf)), "{words}");
             let skin = verdicts::of_sample(rendering.samples[12].index);
             assert!(
-                words.contains(skin) || words.contains(&plural(skin)),
+                words.contains(skin) || words.contains(both_look(rendering.samples[12].index)),
                 "{words}"
             );
             let reaches = words.contains(" reaches the 80 ");

@@ -17,7 +17,7 @@ use crate::{
         studies::Question,
     },
     color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
-    io::many::many,
+    languages::fixed,
     pictures::{
         Between, Illuminant, Kernel, Operator, PictureError, Plan, ReferenceKind, Relit, Spread,
         Tally, Trust, Verdict, plan_of, relit_into,
@@ -170,10 +170,13 @@ impl TurnAsk {
             Err(PictureError::NoRelighting(_)) => {
                 return Ok(Ends::as_taken(
                     operator,
-                    "Nobody knows what lit this picture, so it is shown as it was taken. Choose \
-                     the light that it was taken under to see it under others, or take a white \
-                     place of it as spectrum on the page Spectral image and choose that."
-                        .to_owned(),
+                    said!(
+                        "Nobody knows what lit this picture, so it is shown as it was taken. \
+                         Choose the light that it was taken under to see it under others, or take \
+                         a white place of it as spectrum on the page Spectral image and choose \
+                         that."
+                    )
+                    .to_owned(),
                 ));
             }
             Err(why) => return Err(why),
@@ -187,11 +190,11 @@ impl TurnAsk {
         let trust = operator.trust(&few, &light, old.as_deref(), &noise);
         if trust.verdict == Verdict::Refused {
             let blind = trust.blind.iter().copied().fold(0.0, f64::max);
-            let words = format!(
-                "{:.0} % of the colour of {} falls where this picture was in the dark, so it is \
-                 shown as it was taken.",
-                100.0 * blind,
-                light.name()
+            let words = tr!(
+                "{share} % of the colour of {light} falls where this picture was in the dark, so \
+                 it is shown as it was taken.",
+                share = fixed(100.0 * blind, 0),
+                light = light.name()
             );
             return Ok(Ends::as_taken(operator, words));
         }
@@ -332,13 +335,13 @@ impl Fit {
     pub fn how(&self) -> String {
         let plan = self.operator.plan();
         let series = match plan.reference.kind {
-            ReferenceKind::One => "cosine series".to_owned(),
-            ReferenceKind::Light => format!("cosine series × {}", plan.reference.name),
-            ReferenceKind::Mean => "cosine series × the mean".to_owned(),
+            ReferenceKind::One => said!("cosine series").to_owned(),
+            ReferenceKind::Light => tr!("cosine series × {light}", light = plan.reference.name),
+            ReferenceKind::Mean => said!("cosine series × the mean").to_owned(),
         };
         match plan.lines.len() {
             0 => series,
-            lines => format!("{series}, {}", many(lines, "line", "lines")),
+            lines => format!("{series}, {}", tr!("{n} line" | "{n} lines" % lines)),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::{
         state::App, studies::Question,
     },
     color::Observer,
-    io::many::many,
+    languages::with_sign,
     pictures::{
         Asked, BOUND_RMS, Bands, Choice, FixedSettings, Illuminant, InMemory, LineChoice, OfImage,
         PictureError, Pixels, Plan, ReferenceKind, Scene, Survey, Weighting, choose,
@@ -194,8 +194,13 @@ impl LookAsk {
             places.retain(|nm| {
                 let is_within = (first..=last).contains(nm);
                 if !is_within {
-                    said.push(format!(
-                        "The line at {nm} nm is left out: the bands reach from {first} to {last} nm."
+                    let [nm, first, last] = [*nm, first, last].map(|nm| with_sign(nm.to_string()));
+                    said.push(tr!(
+                        "The line at {nm} nm is left out: the bands reach from {first} to {last} \
+                         nm.",
+                        nm,
+                        first,
+                        last
                     ));
                 }
                 is_within
@@ -204,10 +209,8 @@ impl LookAsk {
             let room = bands.len().saturating_sub(4);
             if places.len() > room {
                 places.truncate(room);
-                said.push(format!(
-                    "So few bands have room for {}.",
-                    many(room, "line", "lines")
-                ));
+                said.push(tr!("So few bands have room for {n} line."
+                    | "So few bands have room for {n} lines." % room));
             }
         }
         wish

@@ -5,6 +5,7 @@ use std::{path::Path, sync::Arc};
 use super::{Fit, Outcome, told};
 use crate::{
     app::{memo::ByAddress, studies::Question},
+    languages::fixed,
     pictures::{
         About, Bytes, CompactPlan, Errors, Half, Peer, PictureError, Precision, compact_plan,
         exact_bytes, measure, peers, save_compact, save_full, white_y_of,
@@ -15,9 +16,9 @@ use crate::{
 /// "1.24 MiB".
 pub fn bytes_words(bytes: u64) -> String {
     match bytes {
-        0..1024 => format!("{bytes} bytes"),
-        1024..1_048_576 => format!("{:.0} KiB", bytes as f64 / 1024.0),
-        _ => format!("{:.1} MiB", bytes as f64 / 1_048_576.0),
+        0..1024 => tr!("{bytes} bytes", bytes),
+        1024..1_048_576 => format!("{} KiB", fixed(bytes as f64 / 1024.0, 0)),
+        _ => format!("{} MiB", fixed(bytes as f64 / 1_048_576.0, 1)),
     }
 }
 
@@ -62,12 +63,16 @@ impl Form {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Full => {
-                "OpenEXR: every number in half precision, and red, green and blue that any viewer \
-                 of EXR shows."
+                said!(
+                    "OpenEXR: every number in half precision, and red, green and blue that any \
+                     viewer of EXR shows."
+                )
             }
             Self::Compact => {
-                "A PNG that any viewer shows, small; the numbers are in it, in steps too small to \
-                 see."
+                said!(
+                    "A PNG that any viewer shows, small; the numbers are in it, in steps too \
+                     small to see."
+                )
             }
         }
     }
@@ -177,11 +182,11 @@ impl PictureWish {
             PictureError::Unsaved(words) => words,
             why => format!("{}: {why}", path.display()),
         })?;
-        Ok(format!(
-            "Saved {}: {} numbers a pixel, {}.",
-            path.display(),
-            self.fit.0.operator.numbers(),
-            bytes_words(bytes)
+        Ok(tr!(
+            "Saved {file}: {count} numbers a pixel, {size}.",
+            file = path.display(),
+            count = self.fit.0.operator.numbers(),
+            size = bytes_words(bytes)
         ))
     }
 }

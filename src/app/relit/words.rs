@@ -3,7 +3,8 @@
 use super::{Fit, Looked, Stored, Turned, store::bytes_words};
 use crate::{
     app::verdicts::Seen,
-    io::many::{capitalised, many},
+    io::many::capitalised,
+    languages::{fixed, with_sign},
     pictures::{Errors, Peer, Trust, Verdict},
 };
 
@@ -14,30 +15,46 @@ pub type Rows = Vec<Vec<String>>;
 pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
     let looked = &fit.looked.0;
     let spread = turned.spread;
-    let under = if turned.refused.is_empty() {
-        format!("Under {} its colours are", turned.light)
+    let (mean, p95) = (fixed(spread.mean, 2), fixed(spread.p95, 2));
+    let (seen, worst) = (Seen::of(spread.p95).seen(), fixed(spread.max, 1));
+    let off = if turned.refused.is_empty() {
+        tr!(
+            "Under {light} its colours are off by ΔE₀₀ {mean} on average, at most {p95} in 95 % \
+             of the pixels ({seen}), {worst} in the worst.",
+            light = turned.light,
+            mean,
+            p95,
+            seen,
+            worst
+        )
     } else {
-        "Its own colours are".to_owned()
+        tr!(
+            "Its own colours are off by ΔE₀₀ {mean} on average, at most {p95} in 95 % of the \
+             pixels ({seen}), {worst} in the worst.",
+            mean,
+            p95,
+            seen,
+            worst
+        )
     };
-    let bytes = stored.and_then(|stored| {
+    let files = stored.and_then(|stored| {
         let bytes = stored.bytes;
         let [full, compact, exact] = [bytes.full?, bytes.compact?, bytes.exact?].map(bytes_words);
-        Some(format!(
-            " Files: {full} full, {compact} compact, {exact} with every band."
+        Some(tr!(
+            "Files: {full} full, {compact} compact, {exact} with every band.",
+            full,
+            compact,
+            exact
         ))
     });
-    format!(
-        "{} in {} numbers a pixel instead of {}. {under} off by ΔE₀₀ {:.2} on average, at most \
-         {:.2} in 95 % of the pixels ({}), {:.1} in the worst.{}",
-        capitalised(&looked.name),
-        fit.operator.numbers(),
-        looked.bands().len(),
-        spread.mean,
-        spread.p95,
-        Seen::of(spread.p95).seen(),
-        spread.max,
-        bytes.unwrap_or_default()
-    )
+    let numbers = tr!(
+        "{picture} in {count} numbers a pixel instead of {bands}.",
+        picture = capitalised(&looked.name),
+        count = fit.operator.numbers(),
+        bands = looked.bands().len()
+    );
+    let all: Vec<String> = [numbers, off].into_iter().chain(files).collect();
+    all.join(" ")
 }
 
 /// How far the colours under this light can be believed.
@@ -47,13 +64,21 @@ pub fn trust_line(turned: &Turned) -> String {
     };
     let Trust { noise, .. } = trust;
     let blind = trust.blind.iter().copied().fold(0.0, f64::max);
-    let (light, percent) = (&turned.light, 100.0 * blind);
-    let noise = format!("noise of the bands moves colours by about ΔE₀₀ {noise:.2}");
+    let (light, share) = (&turned.light, fixed(100.0 * blind, 0));
+    let noise = fixed(noise, 2);
     match trust.verdict {
-        Verdict::Good => format!("Colours under {light} are reliable here: {noise}."),
-        Verdict::Care | Verdict::Refused => format!(
-            "Colours under {light} are uncertain: {percent:.0} % of its colour falls where the \
-             picture was in the dark; {noise}."
+        Verdict::Good => tr!(
+            "Colours under {light} are reliable here: noise of the bands moves colours by about \
+             ΔE₀₀ {noise}.",
+            light,
+            noise
+        ),
+        Verdict::Care | Verdict::Refused => tr!(
+            "Colours under {light} are uncertain: {share} % of its colour falls where the picture \
+             was in the dark; noise of the bands moves colours by about ΔE₀₀ {noise}.",
+            light,
+            share,
+            noise
         ),
     }
 }
@@ -63,12 +88,12 @@ pub fn speed_line(fit: &Fit, turned: &Turned) -> String {
     let [width, height] = fit.looked.0.size();
     let pixels = (width * height) as f64;
     let seconds = fit.encoded_in.as_secs_f64().max(1e-9);
-    format!(
-        "One matrix made these numbers, {:.1} million pixels a second on this computer; another \
-         light takes {:.1} ms for the {} pixels that are drawn.",
-        1e-6 * pixels / seconds,
-        1e3 * turned.turned_in.as_secs_f64(),
-        width * height
+    tr!(
+        "One matrix made these numbers, {speed} million pixels a second on this computer; another \
+         light takes {time} ms for the {count} pixels that are drawn.",
+        speed = fixed(1e-6 * pixels / seconds, 1),
+        time = fixed(1e3 * turned.turned_in.as_secs_f64(), 1),
+        count = width * height
     )
 }
 
@@ -76,23 +101,42 @@ pub fn speed_line(fit: &Fit, turned: &Turned) -> String {
 pub fn fewer(looked: &Looked) -> String {
     let choice = &looked.choice;
     let count = choice.chosen.numbers;
-    let under = if looked.bands().is_factor() || looked.known.is_some() {
-        "under six lights"
-    } else {
-        "of its own colour"
-    };
-    let (p95, rms) = (choice.bound_p95, 100.0 * choice.bound_rms);
-    if choice.is_reached {
-        format!(
-            "{count} are the fewest that keep ΔE₀₀ {under} within {p95} in 95 % of the \
-             pixels and the spectra within {rms:.1} % (rms)."
-        )
-    } else {
-        format!(
-            "No count keeps ΔE₀₀ {under} within {p95} in 95 % of the pixels and the spectra \
-             within {rms:.1} % (rms); {} nearest.",
-            many(count, "comes", "come")
-        )
+    let is_under_lights = looked.bands().is_factor() || looked.known.is_some();
+    let p95 = with_sign(choice.bound_p95.to_string());
+    let rms = fixed(100.0 * choice.bound_rms, 1);
+    match (choice.is_reached, is_under_lights) {
+        (true, true) => tr!(
+            "{count} are the fewest that keep ΔE₀₀ under six lights within {p95} in 95 % of the \
+             pixels and the spectra within {rms} % (rms).",
+            count,
+            p95,
+            rms
+        ),
+        (true, false) => tr!(
+            "{count} are the fewest that keep ΔE₀₀ of its own colour within {p95} in 95 % of the \
+             pixels and the spectra within {rms} % (rms).",
+            count,
+            p95,
+            rms
+        ),
+        (false, true) => tr!(
+            "No count keeps ΔE₀₀ under six lights within {p95} in 95 % of the pixels and the \
+             spectra within {rms} % (rms); {n} comes nearest."
+                | "No count keeps ΔE₀₀ under six lights within {p95} in 95 % of the pixels and \
+                   the spectra within {rms} % (rms); {n} come nearest."
+                    % count,
+            p95,
+            rms
+        ),
+        (false, false) => tr!(
+            "No count keeps ΔE₀₀ of its own colour within {p95} in 95 % of the pixels and the \
+             spectra within {rms} % (rms); {n} comes nearest."
+                | "No count keeps ΔE₀₀ of its own colour within {p95} in 95 % of the pixels and \
+                   the spectra within {rms} % (rms); {n} come nearest."
+                    % count,
+            p95,
+            rms
+        ),
     }
 }
 
@@ -100,13 +144,13 @@ pub fn fewer(looked: &Looked) -> String {
 pub fn byte_rows(fit: &Fit, stored: &Stored) -> Rows {
     let looked = &fit.looked.0;
     let pixels = (looked.survey.measured + looked.survey.no_data).max(1) as f64;
-    let own = |p95: f64| format!("{p95:.2}");
+    let own = |p95: f64| fixed(p95, 2);
     let bytes = stored.bytes;
     let rows = [
-        ("every band, .exr", bytes.exact, "–".to_owned()),
-        ("full, .exr", bytes.full, own(stored.full.own.p95)),
+        (said!("every band, .exr"), bytes.exact, "–".to_owned()),
+        (said!("full, .exr"), bytes.full, own(stored.full.own.p95)),
         (
-            "compact, .cspx.png",
+            said!("compact, .cspx.png"),
             bytes.compact,
             own(stored.compact.error.own.p95),
         ),
@@ -116,7 +160,7 @@ pub fn byte_rows(fit: &Fit, stored: &Stored) -> Rows {
         vec![
             name.to_owned(),
             bytes_words(bytes),
-            format!("{:.1}", bytes as f64 / pixels),
+            fixed(bytes as f64 / pixels, 1),
             off,
         ]
     };
@@ -127,16 +171,18 @@ pub fn byte_rows(fit: &Fit, stored: &Stored) -> Rows {
 pub fn negative_words(errors: &Errors) -> String {
     match errors.negative {
         0 => String::new(),
-        count => format!(
-            "{} below zero when they are decoded: kept, and cut on the screen alone.",
-            many(count as usize, "value is", "values are")
+        count => tr!(
+            "{n} value is below zero when they are decoded: kept, and cut on the screen alone."
+                | "{n} values are below zero when they are decoded: kept, and cut on the screen \
+                   alone."
+                    % count
         ),
     }
 }
 
 /// The ways of keeping a picture: cells row after row, and what they say, a sentence.
 pub fn peer_rows(peers: &[Peer]) -> (Rows, String) {
-    let number = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.2}"));
+    let number = |value: Option<f64>| value.map_or("–".to_owned(), |v| fixed(v, 2));
     let rows = peers.iter().map(|peer| {
         let (error, lights) = (peer.error.as_ref(), peer.lights());
         vec![
@@ -166,16 +212,18 @@ fn nearest(peers: &[Peer]) -> String {
     };
     let best = |of: &dyn Fn(&Peer) -> f64| run().min_by(|a, b| of(a).total_cmp(&of(b)));
     let (Some(colour), Some(spectra)) = (best(&off), best(&rms)) else {
-        return "Nothing was measured.".to_owned();
+        return said!("Nothing was measured.").to_owned();
     };
-    let ways = many(run().count(), "way", "ways");
-    format!(
-        "Of {ways} with {} numbers a pixel, {} is nearest in colour (mean ΔE₀₀ {:.2}) and {} in \
-         the spectra (rms {:.2} %).",
-        colour.numbers,
-        colour.name,
-        off(colour),
-        spectra.name,
-        100.0 * rms(spectra)
+    tr!(
+        "Of {n} way with {numbers} numbers a pixel, {colour} is nearest in colour (mean ΔE₀₀ \
+         {off}) and {spectra} in the spectra (rms {rms} %)."
+            | "Of {n} ways with {numbers} numbers a pixel, {colour} is nearest in colour (mean \
+               ΔE₀₀ {off}) and {spectra} in the spectra (rms {rms} %)."
+                % run().count(),
+        numbers = colour.numbers,
+        colour = colour.name,
+        off = fixed(off(colour), 2),
+        spectra = spectra.name,
+        rms = fixed(100.0 * rms(spectra), 2)
     )
 }

@@ -253,7 +253,7 @@ impl App {
     pub(super) fn make(&mut self, recipe: Recipe, place: MadeFor) {
         let made = match make::make(&recipe, &self.document) {
             Ok(made) => made,
-            Err(why) => return self.say(Tone::Problem, format!("It cannot be made: {why}.")),
+            Err(why) => return self.say(Tone::Problem, tr!("It cannot be made: {why}.", why)),
         };
         let made = Entry {
             origin: Origin::Made(MadeBy { recipe, name: None }),
@@ -266,7 +266,7 @@ impl App {
                 self.document.products.outgoing = Some(entry);
             }
             MadeFor::Chain if self.document.products.chain.len() >= MOST_LINKS => {
-                let words = format!("The chain is full: it has {MOST_LINKS} links.");
+                let words = tr!("The chain is full: it has {most} links.", most = MOST_LINKS);
                 self.say(Tone::Problem, words);
             }
             MadeFor::Chain => {
@@ -287,7 +287,10 @@ impl App {
             Some(index) => drop(keys.remove(index)),
             None if keys.len() < MOST_OWN_PATCHES => keys.push(key.to_owned()),
             None => {
-                let words = format!("{MOST_OWN_PATCHES} own surfaces are the most in a set.");
+                let words = tr!(
+                    "{most} own surfaces are the most in a set.",
+                    most = MOST_OWN_PATCHES
+                );
                 self.say(Tone::Problem, words);
             }
         }
@@ -301,7 +304,7 @@ impl App {
             self.remake(key, &recipe).err()
         };
         if let Some(why) = why {
-            self.say(Tone::Problem, format!("It cannot be made so: {why}."));
+            self.say(Tone::Problem, tr!("It cannot be made so: {why}.", why));
         }
     }
 

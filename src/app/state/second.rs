@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{App, Tone};
 use crate::{
     app::{beside::Beside, comparison::Compared, entry::Entry, laid::Laid, lit::Lit},
+    languages::said,
     spectrum::Kind,
 };
 
@@ -42,8 +43,12 @@ impl App {
     /// Compares the light with another one, or with none.
     pub(super) fn compare(&mut self, second: Option<Arc<Entry>>) {
         if let Some(entry) = second.as_ref().filter(|e| e.kind() != Kind::Light) {
-            let (name, kind) = (entry.name(), entry.kind());
-            let words = format!("{name} is no light to compare with: it holds {kind} values.");
+            let (name, kind) = (entry.name(), said(entry.kind().word()));
+            let words = tr!(
+                "{name} is no light to compare with: it holds {kind} values.",
+                name,
+                kind
+            );
             return self.say(Tone::Problem, words);
         }
         self.document.second = second;

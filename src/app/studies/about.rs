@@ -74,7 +74,7 @@ impl Patches {
     pub fn words(&self) -> String {
         match self.own.len() {
             0 => self.set.clone(),
-            own => format!("{} and {own} of your own", self.set),
+            own => tr!("{set} and {own} of your own", set = self.set, own),
         }
     }
 

@@ -7,7 +7,7 @@ use super::{
     lamps::{encoder, most_numbers},
 };
 use crate::{
-    app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
+    app::{document::Document, entry::Entry, library::Library, memo::ByAddress, ticks::short},
     color::Observer,
     lamps::{Count, LONGEST_RANGE_NM, LeaveOut, NUMBERS, Racing},
     preset::{Preset, Shelf},
@@ -76,8 +76,11 @@ impl RaceAsk {
     pub fn why_not(&self) -> Option<String> {
         let [least, most] = [self.band.min_nm(), self.band.max_nm()];
         (self.band.steps() > LONGEST_RANGE_NM).then(|| {
-            format!(
-                "found {least}:{most}, expected a range of at most {LONGEST_RANGE_NM} nm for a race"
+            tr!(
+                "found {least}:{most}, expected a range of at most {longest} nm for a race",
+                least = short(least),
+                most = short(most),
+                longest = LONGEST_RANGE_NM
             )
         })
     }

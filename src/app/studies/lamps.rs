@@ -129,9 +129,10 @@ impl Question for EncodeAsk {
     /// The answer, or a sentence that says why there is none; nothing when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Result<EncodedLight, String>> {
         let found = self.encoded().map_err(|why| {
-            format!(
-                "{} cannot be encoded on this range: {why}.",
-                self.light.0.name()
+            tr!(
+                "{light} cannot be encoded on this range: {why}.",
+                light = self.light.0.name(),
+                why
             )
         });
         (!progress.is_cancelled()).then_some(found)

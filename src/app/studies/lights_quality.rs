@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use crate::{
     app::{App, Entry, memo::ByAddress, quality_report::light_of, tint},
     color::quality::{EFFICACY, Figures},
+    languages::fixed,
     spectrum::Kind,
     study::{Progress, quality::figures_of_many},
 };
@@ -80,14 +81,18 @@ pub fn sentence(rows: &[LightQuality]) -> String {
     let known: Vec<(&LightQuality, f64)> =
         rows.iter().filter_map(|row| Some((row, row.rf?))).collect();
     match (known.first(), known.last()) {
-        (Some((best, most)), Some((worst, least))) => format!(
-            "Rf from {most:.0} ({}) to {least:.0} ({}): {} of {} lights reach {GOOD}.",
-            best.name,
-            worst.name,
-            known.iter().filter(|(_, rf)| *rf >= GOOD).count(),
-            rows.len(),
+        (Some((best, most)), Some((worst, least))) => tr!(
+            "Rf from {highest} ({best}) to {lowest} ({worst}): {count} of {all} lights reach \
+             {good}.",
+            highest = fixed(most, 0),
+            best = best.name,
+            lowest = fixed(least, 0),
+            worst = worst.name,
+            count = known.iter().filter(|(_, rf)| *rf >= GOOD).count(),
+            all = rows.len(),
+            good = fixed(GOOD, 0)
         ),
-        _ => "None of these lights has a colour rendering to compare.".to_owned(),
+        _ => said!("None of these lights has a colour rendering to compare.").to_owned(),
     }
 }
 

@@ -29,7 +29,7 @@ impl Surface {
         let number = number.and_then(|rest| rest.split_once("patch"));
         number.map_or_else(
             || self.name.clone(),
-            |(_, number)| format!("ACES sample {number}"),
+            |(_, number)| tr!("ACES sample {number}", number),
         )
     }
 }

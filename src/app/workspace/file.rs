@@ -18,17 +18,20 @@ pub fn default_path() -> Option<PathBuf> {
 /// `/dev/null`, a pipe or a folder; `None` where a file is or may be.
 pub fn no_file_at(path: &Path) -> Option<String> {
     let about = std::fs::metadata(path).ok()?;
-    let what = if about.is_file() {
-        return None;
+    let path = path.display();
+    if about.is_file() {
+        None
     } else if about.is_dir() {
-        "a folder"
+        Some(tr!(
+            "The workspace {path} is a folder: nothing is kept.",
+            path
+        ))
     } else {
-        "a device or a pipe"
-    };
-    Some(format!(
-        "The workspace {} is {what}: nothing is kept.",
-        path.display()
-    ))
+        Some(tr!(
+            "The workspace {path} is a device or a pipe: nothing is kept.",
+            path
+        ))
+    }
 }
 
 /// Saves a workspace so that a kill at any moment leaves either the old or the new one.
@@ -42,7 +45,7 @@ pub fn save(path: &Path, text: &str) -> Result<(), String> {
     if let Some(folder) = path.parent() {
         make_folder(folder)?;
     }
-    save_atomically(path, text.as_bytes()).map_err(|e| format!("Workspace not saved: {e}."))
+    save_atomically(path, text.as_bytes()).map_err(|e| tr!("Workspace not saved: {why}.", why = e))
 }
 
 /// Makes the folder of a workspace.
@@ -51,7 +54,7 @@ pub fn save(path: &Path, text: &str) -> Result<(), String> {
 /// One line for the status line.
 pub(super) fn make_folder(folder: &Path) -> Result<(), String> {
     std::fs::create_dir_all(folder)
-        .map_err(|e| format!("Workspace not saved: {}.", no_folder(folder, &e)))
+        .map_err(|e| tr!("Workspace not saved: {why}.", why = no_folder(folder, &e)))
 }
 
 /// Why a folder for the workspace could not be made.
@@ -60,15 +63,27 @@ fn no_folder(folder: &Path, error: &std::io::Error) -> String {
     let folder = folder.display();
     match error.kind() {
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
-            format!("found no permission to make the folder {folder}, expected one to write to")
+            tr!(
+                "found no permission to make the folder {folder}, expected one to write to",
+                folder
+            )
         }
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            format!("found the disk full at {folder}, expected room for the workspace")
+            tr!(
+                "found the disk full at {folder}, expected room for the workspace",
+                folder
+            )
         }
         ErrorKind::NotADirectory | ErrorKind::AlreadyExists => {
-            format!("found a file in the way of the folder {folder}, expected a folder")
+            tr!(
+                "found a file in the way of the folder {folder}, expected a folder",
+                folder
+            )
         }
-        _ => format!("the folder {folder} cannot be made, expected one that can be written to"),
+        _ => tr!(
+            "the folder {folder} cannot be made, expected one that can be written to",
+            folder
+        ),
     }
 }
 
@@ -135,10 +150,10 @@ fn name_beside(path: &Path, bytes: &[u8]) -> PathBuf {
 /// Name and folder of a file, the name first: a narrow status line cuts the end, its tooltip has
 /// all.
 fn place_of(kept: &Path) -> String {
-    format!(
-        "{} in {}",
-        name_of(kept),
-        kept.parent().unwrap_or(Path::new("")).display()
+    tr!(
+        "{file} in {folder}",
+        file = name_of(kept),
+        folder = kept.parent().unwrap_or(Path::new("")).display()
     )
 }
 
@@ -147,11 +162,16 @@ fn place_of(kept: &Path) -> String {
 fn set_aside(path: &Path, bytes: &[u8], why: &str) -> String {
     let kept = name_beside(path, bytes);
     match std::fs::rename(path, &kept) {
-        Ok(()) => format!(
-            "The last workspace is damaged and kept as {} ({why}).",
-            place_of(&kept)
+        Ok(()) => tr!(
+            "The last workspace is damaged and kept as {place} ({why}).",
+            place = place_of(&kept),
+            why
         ),
-        Err(e) => format!("The last workspace could not be read ({why}) nor set aside ({e})."),
+        Err(e) => tr!(
+            "The last workspace could not be read ({why}) nor set aside ({obstacle}).",
+            why,
+            obstacle = e
+        ),
     }
 }
 
@@ -159,10 +179,13 @@ fn set_aside(path: &Path, bytes: &[u8], why: &str) -> String {
 fn keep_copy(path: &Path, bytes: &[u8]) -> String {
     let kept = name_beside(path, bytes);
     match save_atomically(&kept, bytes) {
-        Ok(()) => format!(
-            "The workspace as it was found is kept as {}.",
-            place_of(&kept)
+        Ok(()) => tr!(
+            "The workspace as it was found is kept as {place}.",
+            place = place_of(&kept)
         ),
-        Err(why) => format!("The workspace as it was found could not be kept: {why}."),
+        Err(why) => tr!(
+            "The workspace as it was found could not be kept: {why}.",
+            why
+        ),
     }
 }

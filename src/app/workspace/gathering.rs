@@ -7,13 +7,10 @@ use super::{
     file::{load, no_file_at, save, sweep_leftovers},
     from_json, name_of, to_json_with,
 };
-use crate::{
-    app::{
-        document::{Document, first_light},
-        entry::{Entry, bundled_entries},
-        state::Tone,
-    },
-    io::many::many,
+use crate::app::{
+    document::{Document, first_light},
+    entry::{Entry, bundled_entries},
+    state::Tone,
 };
 
 /// A file that a save left unfinished this long ago is nobody's any more.
@@ -57,14 +54,16 @@ pub fn begin(path: &Path) -> Begun {
         let name = name_of(place.path());
         begun.words.push((
             Tone::Problem,
-            format!(
+            tr!(
                 "Another window uses this workspace: this one keeps its own beside it, {name}. \
-                 The next start brings the files of both together."
+                 The next start brings the files of both together.",
+                name
             ),
         ));
     }
     if !place.is_locked() {
-        let words = "The workspace cannot be locked here: do not open a second window on it.";
+        let words =
+            said!("The workspace cannot be locked here: do not open a second window on it.");
         begun.words.push((Tone::Problem, words.to_owned()));
     }
     for left in place.left_behind() {
@@ -116,13 +115,14 @@ fn gather(begun: &mut Begun, place: &Place, left: &Place) {
         // It is looked at again at the next start, and nothing in it is new then.
         Err(_) => name_of(from),
     };
-    let spectra = (spectra > 0).then(|| many(spectra, "spectrum", "spectra"));
-    let images = (images > 0).then(|| many(images, "image", "images"));
+    let spectra = (spectra > 0).then(|| tr!("{n} spectrum" | "{n} spectra" % spectra));
+    let images = (images > 0).then(|| tr!("{n} image" | "{n} images" % images));
     let brought: Vec<String> = spectra.into_iter().chain(images).collect();
     if !brought.is_empty() {
-        let words = format!(
-            "Brought here from another window: {}. Its workspace is kept as {kept}.",
-            brought.join(", ")
+        let words = tr!(
+            "Brought here from another window: {brought}. Its workspace is kept as {file}.",
+            brought = brought.join(", "),
+            file = kept
         );
         begun.words.push((Tone::Info, words));
     }

@@ -64,28 +64,30 @@ fn differences(place: &str, before: &Value, after: &Value, losses: &mut Vec<Stri
                 differences(&at, value, now, losses);
             }
         }
-        _ => losses.push(format!(
-            "The setting {place} was out of bounds: found {}; {}.",
-            brief(before),
-            instead(Some(after))
+        _ => losses.push(tr!(
+            "The setting {place} was out of bounds: found {found}; {instead}.",
+            place,
+            found = brief(before),
+            instead = instead(Some(after))
         )),
     }
 }
 
 /// What is said of a piece that does not fit.
 pub(super) fn not_understood(place: &str, found: &Value, stands: Option<&Value>) -> String {
-    format!(
-        "The setting {place} was not understood: found {}; {}.",
-        brief(found),
-        instead(stands)
+    tr!(
+        "The setting {place} was not understood: found {found}; {instead}.",
+        place,
+        found = brief(found),
+        instead = instead(stands)
     )
 }
 
 fn instead(stands: Option<&Value>) -> String {
     match stands {
-        None | Some(Value::Null) => "it is left out".to_owned(),
-        Some(Value::Object(_)) => "the usual values stand instead".to_owned(),
-        Some(value) => format!("{} stands instead", brief(value)),
+        None | Some(Value::Null) => said!("it is left out").to_owned(),
+        Some(Value::Object(_)) => said!("the usual values stand instead").to_owned(),
+        Some(value) => tr!("{value} stands instead", value = brief(value)),
     }
 }
 

@@ -38,9 +38,10 @@ impl Place {
         }
         let place = (1..=MOST_WINDOWS).find_map(|number| Self::try_number(&first, number));
         place.ok_or_else(|| {
-            format!(
-                "{MOST_WINDOWS} windows use the workspace {}: nothing is kept of this one.",
-                first.display()
+            tr!(
+                "{count} windows use the workspace {path}: nothing is kept of this one.",
+                count = MOST_WINDOWS,
+                path = first.display()
             )
         })
     }

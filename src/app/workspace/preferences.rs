@@ -12,6 +12,7 @@ use crate::{
         stored_path,
     },
     color::MissingCones,
+    languages::Language,
     study::Measure,
 };
 
@@ -52,6 +53,8 @@ pub struct Preferences {
     pub last_of_places: Vec<Page>,
     /// Names of the lessons that were gone through.
     pub lessons_finished: Vec<String>,
+    /// The language of the window.
+    pub language: Language,
     /// The code of the language that lessons are shown in, where they have texts in it.
     pub lesson_language: String,
     /// Photographs of spectra that are to be read, and files of instruments, once.
@@ -90,7 +93,8 @@ impl Default for Preferences {
             page: Page::Spectrum,
             last_of_places: Vec::new(),
             lessons_finished: Vec::new(),
-            lesson_language: "en".to_owned(),
+            language: Language::English,
+            lesson_language: Language::English.code().to_owned(),
             photographs_asked: Vec::new(),
             lesson_asked: None,
             follow_asked: None,
@@ -143,6 +147,12 @@ impl Preferences {
         let mut last = self.last_of_places.iter();
         let last = last.find(|page| page.place() == place).copied();
         self.page = last.unwrap_or_else(|| place.first());
+    }
+
+    /// Has the window speak a language, and lessons with it.
+    pub fn speak(&mut self, language: Language) {
+        self.language = language;
+        language.code().clone_into(&mut self.lesson_language);
     }
 
     /// Puts a file on top of the recent ones.

@@ -21,6 +21,7 @@ use crate::{
         products::Products,
         settings::{Settings, range_words},
     },
+    languages::said,
     spectrum::{Band, Kind},
 };
 
@@ -84,10 +85,13 @@ fn own_spectrum(index: usize, found: Value, losses: &mut Vec<String>) -> Option<
         return None;
     };
     let name = fields.get("name").and_then(Value::as_str);
-    let name = name.map_or_else(|| format!("Own spectrum {}", index + 1), str::to_owned);
+    let name = name.map_or_else(
+        || tr!("Own spectrum {number}", number = index + 1),
+        str::to_owned,
+    );
     let mut numbers = |key: &str| {
         Vec::<f64>::deserialize(fields.remove(key).unwrap_or_default())
-            .map_err(|why| format!("{name} was not brought back: {key}: {why}."))
+            .map_err(|why| tr!("{name} was not brought back: {key}: {why}.", name, key, why))
     };
     let (nm, values) = match (numbers("nm"), numbers("values")) {
         (Ok(nm), Ok(values)) => (nm, values),
@@ -108,13 +112,26 @@ fn own_spectrum(index: usize, found: Value, losses: &mut Vec<String>) -> Option<
 fn is_ours(rest: &Map<String, Value>) -> Result<(), String> {
     match rest.get("format") {
         Some(Value::String(format)) if format == FORMAT => {}
-        Some(format) => return Err(format!("found the format {format}, expected {FORMAT:?}")),
-        None => return Err(format!("found no format, expected {FORMAT:?}")),
+        Some(format) => {
+            return Err(tr!(
+                "found the format {found}, expected \"{expected}\"",
+                found = format,
+                expected = FORMAT
+            ));
+        }
+        None => {
+            return Err(tr!(
+                "found no format, expected \"{expected}\"",
+                expected = FORMAT
+            ));
+        }
     }
     match rest.get("version").and_then(Value::as_u64) {
-        Some(version) if version > u64::from(VERSION) => Err(format!(
-            "found version {version}, expected {VERSION} or lower: a newer Spectral Explorer \
-             wrote it"
+        Some(version) if version > u64::from(VERSION) => Err(tr!(
+            "found version {found}, expected {expected} or lower: a newer Spectral Explorer wrote \
+             it",
+            found = version,
+            expected = VERSION
         )),
         _ => Ok(()),
     }
@@ -147,7 +164,7 @@ fn restored(
         let found = own.iter().chain(bundled).find(|e| e.key == key).cloned();
         let found = found.or_else(|| made(key));
         if found.is_none() {
-            missing.push(format!("{key} is not in this version's library."));
+            missing.push(tr!("{key} is not in this version's library.", key));
         }
         found
     };
@@ -239,10 +256,10 @@ fn of_kind(
     if is_it(entry.kind()) {
         return Some(entry);
     }
-    losses.push(format!(
-        "{} is not shown where it was: found {} values.",
-        entry.name(),
-        entry.kind()
+    losses.push(tr!(
+        "{name} is not shown where it was: found {kind} values.",
+        name = entry.name(),
+        kind = said(entry.kind().word())
     ));
     None
 }
@@ -266,7 +283,11 @@ fn of_products(
         moved("products.chain", &before, &after, &mut moves);
     } else {
         let (found, kept) = (products.chain.len(), clamped.chain.len());
-        moves.push(format!("The chain keeps {kept} of its {found} steps."));
+        moves.push(tr!(
+            "The chain keeps {kept} of its {found} steps.",
+            kept,
+            found
+        ));
     }
     (clamped, moves.pop())
 }
@@ -283,7 +304,7 @@ fn own_entries(
         let name = spectrum.name.clone();
         match spectrum.into_entry() {
             Ok(entry) => entries.push(entry),
-            Err(why) => losses.push(format!("{name} was not brought back: {why}.")),
+            Err(why) => losses.push(tr!("{name} was not brought back: {why}.", name, why)),
         }
     }
     let numbers = entries.iter().map(|e| e.key.strip_prefix("own/"));
@@ -313,16 +334,28 @@ fn broken_json(error: &serde_json::Error) -> String {
     let line = error.line();
     match error.classify() {
         serde_json::error::Category::Eof if line <= 1 && error.column() == 0 => {
-            format!("found an empty file, expected a {FORMAT} file")
+            tr!(
+                "found an empty file, expected a {format} file",
+                format = FORMAT
+            )
         }
         serde_json::error::Category::Eof => {
-            format!("line {line}: the file ends in the middle, expected a whole {FORMAT} file")
+            tr!(
+                "line {line}: the file ends in the middle, expected a whole {format} file",
+                line,
+                format = FORMAT
+            )
         }
         _ => {
             // serde repeats the place at the end.
             let words = error.to_string();
             let words = words.split(" at line ").next().unwrap_or_default();
-            format!("line {line}: {words}, expected a {FORMAT} file")
+            tr!(
+                "line {line}: {why}, expected a {format} file",
+                line,
+                why = words,
+                format = FORMAT
+            )
         }
     }
 }

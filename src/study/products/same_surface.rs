@@ -70,16 +70,16 @@ impl Sameness {
     /// In words, as they also stand in JSON.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Holds => "holds",
-            Self::DoesNotHold => "does not hold",
-            Self::Unknown => "cannot be said",
+            Self::Holds => later!("holds"),
+            Self::DoesNotHold => later!("does not hold"),
+            Self::Unknown => later!("cannot be said"),
         }
     }
 
     /// In words for people.
     pub fn told(self) -> &'static str {
         match self {
-            Self::Unknown => "undecided",
+            Self::Unknown => later!("undecided"),
             Self::Holds | Self::DoesNotHold => self.words(),
         }
     }

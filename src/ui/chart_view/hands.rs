@@ -148,15 +148,17 @@ fn fit_button(ui: &mut Ui, frame: Rect, chart: &Chart) -> bool {
     let size = FIT.max(Vec2::new(0.0, ui.spacing().interact_size.y));
     let size = Vec2::new(size.x * size.y / FIT.y, size.y);
     let corner = frame.right_bottom() - size - Vec2::splat(6.0);
-    let button = egui::Button::new("fit");
+    let button = egui::Button::new(said!("fit"));
     let response = ui.put(Rect::from_min_size(corner, size), button);
     named(
         &response,
         egui::Role::Button,
-        &format!("Fit the view {}", chart.title),
+        &tr!("Fit the view {title}", title = chart.title),
     );
     response
-        .on_hover_text("Shows everything again (double click on an empty place, Home).")
+        .on_hover_text(said!(
+            "Shows everything again (double click on an empty place, Home)."
+        ))
         .clicked()
 }
 

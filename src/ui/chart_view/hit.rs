@@ -130,7 +130,9 @@ pub(super) fn read_out(response: &Response, chart: &Chart, series: &Series, hit:
         format!("{}: {}", or(y_label, "y"), short(hit.at[1])),
     ];
     if let Some(cells) = series.marks.cells() {
-        let value = cells.value(hit.point).map_or("no value".to_owned(), short);
+        let value = cells
+            .value(hit.point)
+            .map_or(said!("no value").to_owned(), short);
         lines.push(format!("{}: {value}", or(&cells.label, "value")));
     }
     egui::Tooltip::for_widget(response).at_pointer().show(|ui| {

@@ -4,7 +4,10 @@ use eframe::egui;
 use egui::{Button, RichText, Ui};
 
 use super::super::kit::named;
-use crate::app::{chart::Chart, export::stem_of};
+use crate::{
+    app::{chart::Chart, export::stem_of},
+    languages::said,
+};
 
 /// What a chart is wanted as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,11 +27,11 @@ pub enum ChartForm {
 impl ChartForm {
     /// All forms with what the menu calls them, in its order.
     pub const ALL: [(Self, &'static str); 5] = [
-        (Self::CopyCsv, "Copy as CSV"),
-        (Self::Csv, "Save CSV…"),
-        (Self::Png, "Save PNG…"),
-        (Self::Svg, "Save SVG…"),
-        (Self::Print, "Print…"),
+        (Self::CopyCsv, later!("Copy as CSV")),
+        (Self::Csv, later!("Save CSV…")),
+        (Self::Png, later!("Save PNG…")),
+        (Self::Svg, later!("Save SVG…")),
+        (Self::Print, later!("Print…")),
     ];
 
     /// The extension of its file.
@@ -78,7 +81,7 @@ pub(super) fn on_right_click(response: &egui::Response, chart: &Chart) -> Option
 fn items(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
     let mut wish = None;
     for (form, words) in ChartForm::ALL {
-        if ui.button(words).clicked() {
+        if ui.button(said(words)).clicked() {
             wish = Some(ChartWish::new(chart, form));
             ui.close();
         }
@@ -92,9 +95,11 @@ pub(super) fn menu(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
     let button = Button::new(RichText::new("⋯").strong()).frame_when_inactive(false);
     let (response, _) = egui::containers::menu::MenuButton::from_button(button)
         .ui(ui, |ui| wish = items(ui, chart));
-    let name = format!("Save chart: {}", chart.title);
+    let name = tr!("Save chart: {title}", title = chart.title);
     let name = name.trim_end_matches([':', ' ']);
     named(&response, egui::Role::Button, name);
-    response.on_hover_text("Copy or save this chart: numbers (CSV), picture (PNG, SVG).");
+    response.on_hover_text(said!(
+        "Copy or save this chart: numbers (CSV), picture (PNG, SVG)."
+    ));
     wish
 }

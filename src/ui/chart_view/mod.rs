@@ -167,7 +167,7 @@ pub(super) fn draw(
     let shapes = kept::shapes(&ui, id, (&drawing, looks), hands.view, origin);
     ui.painter().set(below, egui::Shape::Vec(shapes));
     let name = match chart.title.is_empty() {
-        true => "Chart",
+        true => said!("Chart"),
         false => &chart.title,
     };
     named(&hands.main, egui::Role::Image, name);

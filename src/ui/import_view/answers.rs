@@ -94,7 +94,7 @@ fn buttons(ui: &mut Ui, question: &Question, wishes: &mut Vec<Wish>) {
 fn reason(ui: &mut Ui, question: &Question, theme: Theme) {
     let width = ui.available_width();
     if question.doubtful {
-        let words = format!("▲ doubtful: {}", question.because);
+        let words = tr!("▲ doubtful: {reason}", reason = question.because);
         two_lines(ui, &words, theme.warning, width);
     } else {
         two_lines(ui, &question.because, theme.faint, width);

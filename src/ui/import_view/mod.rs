@@ -108,7 +108,7 @@ impl ImportView {
         let chart = &*self.chart.get(of, |opened| curves_of(&opened.0));
         let width = (WIDTH * theme.scale).min(within.width() - 24.0);
         let height = (HEIGHT * theme.scale).min(within.height() - 40.0);
-        egui::Window::new(format!("How {} was read", opened.file))
+        egui::Window::new(tr!("How {file} was read", file = opened.file))
             .id(egui::Id::unique(("how it was read", self.turn)))
             .open(&mut open)
             .default_pos(within.left_top() + vec2(6.0, 30.0))
@@ -206,7 +206,7 @@ fn curves_of(opened: &Opened) -> Chart {
     };
     let pixels: Vec<_> = opened.images.iter().flat_map(pixels_of).collect();
     Chart {
-        title: format!("Some pixels of {}", opened.file),
+        title: tr!("Some pixels of {file}", file = opened.file),
         ..curves(&opened.file, &pixels)
     }
 }
@@ -219,26 +219,21 @@ fn headline(ui: &mut Ui, import: &Import, questions: &[Question], theme: Theme) 
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let words = match (here, elsewhere) {
-            (0, 0) => "Nothing is open; any choice can still be turned round.".to_owned(),
-            (0, _) => "Nothing is open here; see the other spectra of the file.".to_owned(),
-            (1, _) => "The file leaves one thing open; click what is right.".to_owned(),
-            (n, _) => format!("The file leaves {n} things open; click what is right."),
+            (0, 0) => said!("Nothing is open; any choice can still be turned round.").to_owned(),
+            (0, _) => said!("Nothing is open here; see the other spectra of the file.").to_owned(),
+            (1, _) => said!("The file leaves one thing open; click what is right.").to_owned(),
+            (n, _) => tr!("The file leaves {n} things open; click what is right.", n),
         };
         if here + elsewhere > 0 {
             ui.colored_label(theme.warning, "▲");
         }
         ui.label(words);
-        let many = |count: usize, one: &str, more: &str| match count {
-            0 => String::new(),
-            1 => format!(", 1 {one}"),
-            n => format!(", {n} {more}"),
-        };
-        let brought = format!(
-            "{}{}{}, loaded already.",
-            opened.format,
-            many(opened.spectra.len(), "spectrum", "spectra"),
-            many(opened.images.len(), "image", "images"),
-        );
+        let (spectra, images) = (opened.spectra.len(), opened.images.len());
+        let spectra = (spectra > 0).then(|| tr!("{n} spectrum" | "{n} spectra" % spectra));
+        let images = (images > 0).then(|| tr!("{n} image" | "{n} images" % images));
+        let format = std::iter::once(opened.format.to_string());
+        let brought: Vec<String> = format.chain(spectra).chain(images).collect();
+        let brought = tr!("{brought}, loaded already.", brought = brought.join(", "));
         ui.add(Label::new(RichText::new(brought).weak()).truncate());
     });
 }
@@ -249,20 +244,22 @@ fn about(ui: &mut Ui, import: &Import, theme: Theme, wishes: &mut Vec<Wish>) {
     if parts.is_empty() {
         return;
     }
-    let what = "Asked about";
+    let what = said!("Asked about");
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         label(
             ui,
             what,
-            "The spectra that the answers about values are for.",
+            said!("The spectra that the answers about values are for."),
             true,
             theme,
         );
         let choice = Choice {
             name: what,
-            meaning: "The answers about values go for these spectra alone; each spectrum of the \
-                      file has its own.",
+            meaning: said!(
+                "The answers about values go for these spectra alone; each spectrum of the file \
+                 has its own."
+            ),
             width: 300.0,
         };
         choice.cut(ui, import.about_words(), |ui| {
@@ -289,11 +286,18 @@ fn message(ui: &mut Ui, import: &Import, theme: Theme) {
         match import.refusal() {
             Some(why) => {
                 ui.colored_label(theme.warning, "▲");
-                let words =
-                    format!("That way it cannot be read: {why}. The last good reading stays.");
+                let words = tr!(
+                    "That way it cannot be read: {why}. The last good reading stays.",
+                    why
+                );
                 two_lines(ui, &words, ui.visuals().text_color(), width);
             }
-            None => two_lines(ui, "Every answer is one step of Undo.", theme.faint, width),
+            None => two_lines(
+                ui,
+                said!("Every answer is one step of Undo."),
+                theme.faint,
+                width,
+            ),
         }
     });
 }
@@ -301,21 +305,21 @@ fn message(ui: &mut Ui, import: &Import, theme: Theme) {
 /// The buttons that end it.
 fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
-        let meaning = "It is right as it is: closes this window (Enter).";
-        if pressed(ui, "Keep", meaning) {
+        let meaning = said!("It is right as it is: closes this window (Enter).");
+        if pressed(ui, said!("Keep"), meaning) {
             wishes.push(Wish::Keep);
         }
-        let back = egui::Button::new("Back to the reader's own choice");
-        let meaning = "Forgets what was chosen here.";
+        let back = egui::Button::new(said!("Back to the reader's own choice"));
+        let meaning = said!("Forgets what was chosen here.");
         if pressed_if(ui, import.has_choices(), back, meaning) {
             wishes.push(Wish::Flip(Flip::ReadersOwn));
         }
-        let meaning = "Takes the file's spectra out and shows what was there before.";
-        if pressed(ui, "Remove it again", meaning) {
+        let meaning = said!("Takes the file's spectra out and shows what was there before.");
+        if pressed(ui, said!("Remove it again"), meaning) {
             wishes.push(Wish::Remove);
         }
         if import.is_reading() {
-            ui.label("reading it again");
+            ui.label(said!("reading it again"));
         }
     });
 }

@@ -30,13 +30,17 @@ pub(super) fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64, height: f
         ui.add(egui::Label::new(RichText::new(line).small().color(theme.faint)).truncate());
     }
     if head.along_rows {
-        ui.small("The wavelengths stand in a row, one spectrum in each row below.");
+        ui.small(said!(
+            "The wavelengths stand in a row, one spectrum in each row below."
+        ));
     }
     let columns = columns_that_fit(ui, head);
     let more = head.width() + head.more_columns - columns;
     if more > 0 && !head.along_rows {
-        ui.small(format!(
-            "The first {columns} columns, + {more} more columns"
+        ui.small(tr!(
+            "The first {columns} columns, + {more} more columns",
+            columns,
+            more
         ));
     }
     let area = egui::Frame::new()

@@ -8,6 +8,7 @@ use egui::{Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, Ui, Vec
 use super::{kept, named, text_field};
 use crate::{
     app::{App, Entry, Families, search::Index},
+    languages::said,
     preset::Shelf,
     spectrum::Kind,
     ui::entry_row::Painted,
@@ -65,8 +66,8 @@ impl Chooser<'_> {
 
     fn list(&self, ui: &mut Ui, app: &App, search: &mut String) -> Option<Arc<Entry>> {
         ui.set_min_width(320.0_f32.max(self.width));
-        let name = format!("Search: {}", self.name);
-        let hint = "Name, element, use; Enter takes the first";
+        let name = tr!("Search: {what}", what = self.name);
+        let hint = said!("Name, element, use; Enter takes the first");
         let edit = text_field(ui, search, [&name, hint], f32::INFINITY);
         let entered = edit.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if ui.memory(|m| m.focused().is_none()) {
@@ -85,7 +86,7 @@ impl Chooser<'_> {
             Line::Heading(_) => None,
         });
         if first.is_none() {
-            ui.weak("Nothing found. Try: LED, candle, 4000 K, sodium.");
+            ui.weak(said!("Nothing found. Try: LED, candle, 4000 K, sodium."));
         }
         if entered {
             return first;
@@ -102,7 +103,7 @@ impl Chooser<'_> {
                     for line in &rows[range] {
                         let size = vec2(ui.available_width(), ROW - ui.spacing().item_spacing.y);
                         match line {
-                            Line::Heading(title) => heading(ui, size, title),
+                            Line::Heading(title) => heading(ui, size, said(title)),
                             Line::Entry(entry) if row(ui, size, entry) => {
                                 chosen = Some(entry.clone())
                             }
@@ -142,7 +143,7 @@ fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
     let mut lines = Vec::new();
     let mut before = None;
     for entry in offered {
-        let title = entry.shelf().map_or("Your own", Shelf::heading);
+        let title = entry.shelf().map_or(later!("Your own"), Shelf::heading);
         if before.replace(title) != Some(title) {
             lines.push(Line::Heading(title));
         }

@@ -16,6 +16,7 @@ pub use choice::Choice;
 pub use chooser::{Chooser, are_same, factors, found, lights, reflectances, transmittances};
 pub use form::{Form, GROUP, form};
 pub use kept::kept;
+pub use knob::{drag_value, slide};
 pub use layout::{
     bounded, cell, column, down, figure_grid, line, rolled, scrolled, two_columns, with_panel,
 };

@@ -21,7 +21,9 @@ pub fn seen_choice(
     let mut adapt = view.adapt_patches;
     let choice = Choice {
         name,
-        meaning: "It changes the colours on screen, not the errors. Adaptation after Bradford.",
+        meaning: said!(
+            "It changes the colours on screen, not the errors. Adaptation after Bradford."
+        ),
         width: width.min(ui.available_width()),
     };
     choice.cut(ui, view.adaptation().words(), |ui| {

@@ -245,7 +245,7 @@ impl<'a> Table<'a> {
             let mut title = put(ui, cell, column.right, text);
             if sorts {
                 title = title.interact(Sense::click());
-                let name = format!("Sort by {}", column.title);
+                let name = tr!("Sort by {title}", title = column.title);
                 named_choice(&title, egui::Role::Button, column.decides, &name);
                 if title.clicked() {
                     clicked = Some(index);

@@ -123,7 +123,7 @@ pub fn tile_button(ui: &mut Ui, size: Vec2, name: &str) -> (Rect, Response) {
 
 /// A button that copies a table; nothing where there is none. `meaning` may be empty.
 pub fn copy_button(ui: &mut Ui, name: &str, meaning: &str, csv: impl FnOnce() -> String) {
-    let mut button = ui.small_button("Copy as CSV");
+    let mut button = ui.small_button(said!("Copy as CSV"));
     named(&button, egui::Role::Button, name);
     if !meaning.is_empty() {
         button = button.on_hover_text(meaning);

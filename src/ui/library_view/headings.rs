@@ -6,6 +6,7 @@ use egui::{Align2, Sense, Ui, Vec2, pos2, vec2};
 use super::taken;
 use crate::{
     app::{App, Command, Entry, search::favourites},
+    languages::{said, with_sign},
     ui::{entry_row::elided, kit::named_choice, theme::Theme},
 };
 
@@ -19,7 +20,11 @@ pub(super) fn favourites_row(
 ) {
     let all = favourites(app.bundled());
     ui.add_space(4.0);
-    ui.label(egui::RichText::new("Favourites").small().color(theme.faint));
+    ui.label(
+        egui::RichText::new(said!("Favourites"))
+            .small()
+            .color(theme.faint),
+    );
     for row in all.chunks(3) {
         ui.columns(3, |columns| {
             for (ui, favourite) in columns.iter_mut().zip(row) {
@@ -65,7 +70,7 @@ pub(super) fn file_heading(
     folded: bool,
 ) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let words = format!("{name}, {count} spectra");
+    let words = tr!("{name}, {n} spectrum" | "{name}, {n} spectra" % count, name);
     named_choice(&response, egui::Role::Button, !folded, &words);
     let colour = ui.style().interact(&response).fg_stroke.color;
     let small = egui::TextStyle::Small.resolve(ui.style());
@@ -89,23 +94,27 @@ pub(super) fn describe(ui: &mut Ui, entry: &Entry) {
     let spectrum = &entry.spectrum;
     ui.set_max_width(380.0);
     ui.strong(entry.name());
-    ui.label(format!(
-        "{}, {} points, {} to {} nm{}",
-        spectrum.kind,
-        spectrum.samples.len(),
-        spectrum.samples.first_nm(),
-        spectrum.samples.last_nm(),
-        if spectrum.unit.is_empty() {
-            String::new()
-        } else {
-            format!(", {}", spectrum.unit)
-        }
-    ));
+    let samples = &spectrum.samples;
+    let [first_nm, last_nm] =
+        [samples.first_nm(), samples.last_nm()].map(|nm| with_sign(nm.to_string()));
+    let mut words = tr!(
+        "{kind}, {n} points, {first_nm} to {last_nm} nm"
+            | "{kind}, {n} points, {first_nm} to {last_nm} nm" % samples.len(),
+        kind = said(spectrum.kind.word()),
+        first_nm,
+        last_nm
+    );
+    if !spectrum.unit.is_empty() {
+        words += &format!(", {}", spectrum.unit);
+    }
+    ui.label(words);
     if !spectrum.source.is_empty() {
         ui.weak(&spectrum.source);
     }
     if !entry.licence.is_empty() {
-        ui.weak(format!("Licence: {}", entry.licence));
+        ui.weak(tr!("Licence: {licence}", licence = entry.licence));
     }
-    ui.weak("Click to show it. Ctrl or Shift and click to compare.");
+    ui.weak(said!(
+        "Click to show it. Ctrl or Shift and click to compare."
+    ));
 }

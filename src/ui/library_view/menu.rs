@@ -32,29 +32,32 @@ impl LibraryView {
             }
         };
         let key = || entry.key.clone();
-        item(ui, ["Show", ""], Command::Show(entry.clone()));
+        item(ui, [said!("Show"), ""], Command::Show(entry.clone()));
         if entry.kind() == Kind::Light {
             let now = app.document().second.as_ref();
             let is_second = now.is_some_and(|second| second.key == entry.key);
             let [words, second] = match is_second {
-                true => ["Compare no more", ""],
-                false => ["Compare with it", "The second light of every page."],
+                true => [said!("Compare no more"), ""],
+                false => [
+                    said!("Compare with it"),
+                    said!("The second light of every page."),
+                ],
             };
             let compared = Command::Compare((!is_second).then(|| entry.clone()));
             item(ui, [words, second], compared);
         }
         let words = match overlaid {
-            true => "Stop comparing",
-            false => "Compare with this",
+            true => said!("Stop comparing"),
+            false => said!("Compare with this"),
         };
         item(ui, [words, ""], Command::ToggleOverlay(entry.clone()));
         if is_measurement(entry) {
             let mut pages = app.document().pages.clone();
             pages.combine.add(entry);
-            let meaning = "The next free place of the page Combine.";
+            let meaning = said!("The next free place of the page Combine.");
             item(
                 ui,
-                ["Put on Combine", meaning],
+                [said!("Put on Combine"), meaning],
                 Command::Page(Box::new(pages)),
             );
         }
@@ -62,9 +65,10 @@ impl LibraryView {
             return command;
         }
         ui.separator();
-        let meaning = "The first rows of its file, what was decided about them, and the other \
-                     choices.";
-        if entry.origin.file().is_some() && pressed(ui, "How it was read…", meaning) {
+        let meaning = said!(
+            "The first rows of its file, what was decided about them, and the other choices."
+        );
+        if entry.origin.file().is_some() && pressed(ui, said!("How it was read…"), meaning) {
             self.wants_reading = Some(entry.key.clone());
             ui.close();
         }
@@ -72,8 +76,8 @@ impl LibraryView {
             .origin
             .file()
             .and_then(|from| from.reading.file.path.as_ref());
-        let meaning = "Reads the file again whenever it changes, with the same choices.";
-        if path.is_some() && pressed(ui, "Follow", meaning) {
+        let meaning = said!("Reads the file again whenever it changes, with the same choices.");
+        if path.is_some() && pressed(ui, said!("Follow"), meaning) {
             self.wants_following = Some(entry.key.clone());
             ui.close();
         }
@@ -83,22 +87,26 @@ impl LibraryView {
         if entry.kind().is_factor() {
             let is_patch = app.document().own_patches.contains(&entry.key);
             let words = match is_patch {
-                true => "Remove from the surfaces",
-                false => "Add to the surfaces",
+                true => said!("Remove from the surfaces"),
+                false => said!("Add to the surfaces"),
             };
             item(ui, [words, ""], Command::ToggleOwnPatch { key: key() });
         }
-        if ui.button("Rename").clicked() {
+        if ui.button(said!("Rename")).clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();
         }
         for kind in [Kind::Light, Kind::Reflectance, Kind::Transmittance] {
             if kind != entry.kind() {
-                let words = format!("This is a {kind}");
-                item(ui, [&words, ""], Command::SetKind { key: key(), kind });
+                let words = match kind {
+                    Kind::Light => said!("This is a light"),
+                    Kind::Reflectance => said!("This is a reflectance"),
+                    _ => said!("This is a transmittance"),
+                };
+                item(ui, [words, ""], Command::SetKind { key: key(), kind });
             }
         }
-        item(ui, ["Remove", ""], Command::Remove { key: key() });
+        item(ui, [said!("Remove"), ""], Command::Remove { key: key() });
         command
     }
 }
@@ -115,12 +123,16 @@ fn made_menu(
     let is_other = recipe.light().is_some_and(|key| key != light.key) && light.key != entry.key;
     let key = || entry.key.clone();
     if is_other {
-        let words = format!("Make it with {}", light.name());
-        let meaning = "The same recipe with the light that is shown.";
+        let words = tr!("Make it with {light}", light = light.name());
+        let meaning = said!("The same recipe with the light that is shown.");
         let recipe = recipe.clone().with_light(&light.key);
         let asked = Command::MakeOtherwise { key: key(), recipe };
         item(ui, [&words, meaning], asked);
     }
-    let meaning = "Keeps its numbers as they are now.";
-    item(ui, ["Freeze", meaning], Command::Freeze { key: key() });
+    let meaning = said!("Keeps its numbers as they are now.");
+    item(
+        ui,
+        [said!("Freeze"), meaning],
+        Command::Freeze { key: key() },
+    );
 }

@@ -20,6 +20,7 @@ use super::{
 };
 use crate::{
     app::{App, Command, Entry, chart::Ink, workspace::Preferences},
+    languages::translated,
     spectrum::Kind,
 };
 
@@ -66,13 +67,17 @@ impl LibraryView {
     ) {
         self.compares = compares;
         ui.horizontal(|ui| {
-            let words = if compares { "Compare with" } else { "Library" };
+            let words = if compares {
+                said!("Compare with")
+            } else {
+                said!("Library")
+            };
             ui.label(egui::RichText::new(words).heading());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let meaning = "Closes the library (Esc, Ctrl+L).";
-                self.closes = sign_button(ui, "✕", "Close the library", meaning);
-                ui.toggle_value(&mut preferences.pinned, "Pin")
-                    .on_hover_text("The library stays open beside the page.");
+                let meaning = said!("Closes the library (Esc, Ctrl+L).");
+                self.closes = sign_button(ui, "✕", said!("Close the library"), meaning);
+                ui.toggle_value(&mut preferences.pinned, said!("Pin"))
+                    .on_hover_text(said!("The library stays open beside the page."));
             });
         });
         let search = self.search_field(ui);
@@ -83,7 +88,7 @@ impl LibraryView {
         let rows = self.listed.rows(ui, &self.search, app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
-            ui.weak("Nothing found. Try: LED, candle, 4000 K, sodium.");
+            ui.weak(said!("Nothing found. Try: LED, candle, 4000 K, sodium."));
             return;
         }
         if search.changed() {
@@ -91,9 +96,12 @@ impl LibraryView {
         }
         let lights = lights_together(if searches { &rows } else { &[] }, app);
         if lights.len() > 1 {
-            let words = format!("Compare the quality of {} lights", lights.len());
-            let meaning = "White, colour rendering and efficacy of each, sorted as you like. \
-                           Search for lights, or choose some by Ctrl and click.";
+            let words = tr!("Compare the quality of {n} light"
+                | "Compare the quality of {n} lights" % lights.len());
+            let meaning = said!(
+                "White, colour rendering and efficacy of each, sorted as you like. Search for \
+                 lights, or choose some by Ctrl and click."
+            );
             if pressed_small(ui, &words, meaning) {
                 self.wants_quality = lights.iter().map(|light| light.key.clone()).collect();
             }
@@ -128,14 +136,14 @@ impl LibraryView {
     }
 
     fn search_field(&mut self, ui: &mut Ui) -> Response {
-        let words = ["Search the library", "Search spectra"];
+        let words = [said!("Search the library"), said!("Search spectra")];
         let mut search = text_field(ui, &mut self.search, words, f32::INFINITY);
         // While one types it would lie over the first that is found.
         if !search.has_focus() {
-            search = search.on_hover_text(
+            search = search.on_hover_text(said!(
                 "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
-                 shows the first.",
-            );
+                 shows the first."
+            ));
         }
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
@@ -157,7 +165,8 @@ impl LibraryView {
                 title,
                 count,
                 folded,
-            } => heading(ui, size, title, *count, *folded).then(|| Wish::Fold(title.clone())),
+            } => heading(ui, size, &translated(title), *count, *folded)
+                .then(|| Wish::Fold(title.clone())),
             Row::File {
                 name,
                 count,
@@ -213,7 +222,7 @@ impl LibraryView {
         {
             let edit = ui.add_sized(size, egui::TextEdit::singleline(text));
             let id = edit.id;
-            named(&edit, egui::Role::TextInput, "New name");
+            named(&edit, egui::Role::TextInput, said!("New name"));
             if edit.lost_focus() {
                 let (key, name) = self.renaming.take()?;
                 let name = name.trim().to_owned();

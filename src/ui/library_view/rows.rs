@@ -66,7 +66,7 @@ pub(super) fn fold_of(file: &str) -> String {
     format!("file: {file}")
 }
 
-const OWN: &str = "My files";
+const OWN: &str = later!("My files");
 
 impl Listed {
     /// The rows, made anew when search, folds or spectra changed.

@@ -26,7 +26,7 @@ use crate::{
         pages::{Page, PageStates},
         studies::{About, Stage, Studies, SweepAsk},
     },
-    io::many::numbers,
+    languages::said,
 };
 
 #[derive(Default)]
@@ -246,17 +246,19 @@ fn automatic(
     let document = scene.app.document();
     let ask = SweepAsk::of(document);
     if *about != ask.about {
-        return told("Automatic gave up: another spectrum is shown.".to_owned());
+        return told(said!("Automatic gave up: another spectrum is shown.").to_owned());
     }
     let job = scene.studies.job();
     job.put(&ask, scene.wake);
     let Some(sweep) = job.result_for(&ask).cloned() else {
         let is_open = matches!(job.stage(), Stage::Idle | Stage::Running(_) | Stage::Done);
-        let words = "There is nothing to measure on this spectrum and range.";
+        let words = said!("There is nothing to measure on this spectrum and range.");
         return (!is_open).then(|| (Tone::Problem, words.to_owned()));
     };
     let Some((point, measure)) = best_of(&sweep, most) else {
-        return told(format!("No model takes as few as {}.", numbers(most)));
+        return told(tr!(
+            "No model takes as few as {n} number." | "No model takes as few as {n} numbers." % most
+        ));
     };
     let lamps = lamps_asked(document, scene.pages.known_lamps, most);
     let mut better = None;
@@ -280,18 +282,22 @@ fn automatic(
         return told(words);
     }
     let lines = match best.spikes {
-        true => "with its lines",
-        false => "without lines",
+        true => said!("with its lines"),
+        false => said!("without lines"),
     };
-    let fit = match best.colour_exact {
-        true => ", colour-exact",
-        false => "",
-    };
-    told(format!(
-        "The best of all ways with at most {}: {}{fit}, {} waves, {lines}.",
-        numbers(most),
-        best.basis.word(),
-        best.order,
+    let exact = best.colour_exact.then_some(said!("colour-exact"));
+    let waves = tr!("{n} waves" | "{n} waves" % best.order);
+    let model = [
+        Some(said(best.basis.word())),
+        exact,
+        Some(waves.as_str()),
+        Some(lines),
+    ];
+    let model: Vec<&str> = model.into_iter().flatten().collect();
+    told(tr!(
+        "The best of all ways with at most {n} number: {model}."
+            | "The best of all ways with at most {n} numbers: {model}." % most,
+        model = model.join(", ")
     ))
 }
 

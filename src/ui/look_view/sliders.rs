@@ -8,8 +8,10 @@ use crate::{
         App, Command, Detector, Memo, Settings,
         answers::{self, LINE_THRESHOLDS},
         pages::SPENDABLE,
+        ticks::short,
         verdicts::HARD_TO_SEE,
     },
+    languages::said,
     ui::{
         kit::{Stops, main_button, named, number, pressed, pressed_if},
         theme::{MOST_GROWN, Theme},
@@ -19,23 +21,23 @@ use crate::{
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     /// The order slider.
-    pub const ORDER: &str = "Waves";
+    pub const ORDER: &str = later!("Waves");
     /// The threshold slider.
-    pub const LINES: &str = "Lines";
+    pub const LINES: &str = later!("Lines");
     /// The order as a number.
-    pub const ORDER_TYPED: &str = "Number of waves";
+    pub const ORDER_TYPED: &str = later!("Number of waves");
     /// The count of lines as a number.
-    pub const LINES_TYPED: &str = "Number of lines";
+    pub const LINES_TYPED: &str = later!("Number of lines");
     /// The best way for a count of numbers.
-    pub const AUTOMATIC: &str = "Automatic";
+    pub const AUTOMATIC: &str = later!("Automatic");
     /// The count of numbers for it.
-    pub const BUDGET: &str = "Numbers for Automatic";
+    pub const BUDGET: &str = later!("Numbers for Automatic");
     /// Back to the start.
-    pub const RESET: &str = "Reset";
+    pub const RESET: &str = later!("Reset");
     /// All other knobs.
-    pub const MORE: &str = "More";
+    pub const MORE: &str = later!("More");
     /// The paper's settings.
-    pub const PAPER: &str = "As in the paper";
+    pub const PAPER: &str = later!("As in the paper");
 }
 
 /// Orders that the slider reaches; more can be typed.
@@ -122,7 +124,7 @@ impl SlidersView {
         let acts_room = match layout.acts {
             Acts::Beside => Some((
                 room.min + vec2(2.0 * (layout.knob + GAP), 0.5 * (knob.y - high)),
-                vec2(BUTTONS * theme.scale, high),
+                vec2(buttons() * theme.scale, high),
             )),
             Acts::Below => Some((room.min + vec2(0.0, knob.y + 4.0), vec2(room.width(), high))),
             Acts::None => None,
@@ -147,6 +149,18 @@ const ACTS: f32 = 28.0;
 /// Width of the buttons, and between what stands side by side.
 const BUTTONS: f32 = 312.0;
 const GAP: f32 = 24.0;
+/// What stands behind the count of numbers for Automatic.
+const NUMBERS: &str = later!("numbers");
+/// Usual width of a letter, points.
+const LETTER: f32 = 7.5;
+
+/// Width of the buttons in the language spoken, points.
+fn buttons() -> f32 {
+    let letters = |words: &str| words.chars().count() as f32;
+    let words = [names::AUTOMATIC, NUMBERS, names::MORE, names::RESET];
+    let more = words.map(|english| letters(said(english)) - letters(english));
+    BUTTONS + LETTER * more.iter().sum::<f32>().max(0.0)
+}
 
 /// Where the buttons stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,7 +179,7 @@ struct Layout {
 
 impl Layout {
     fn of(width: f32, scale: f32, bare: bool) -> Self {
-        let beside = (width - BUTTONS * scale - 2.0 * GAP) / 2.0;
+        let beside = (width - buttons() * scale - 2.0 * GAP) / 2.0;
         // A large window's type is larger too, but less so.
         let acts = match (bare || scale > MOST_GROWN, beside >= 190.0 * scale) {
             (true, _) => Acts::None,
@@ -219,21 +233,24 @@ fn waves(
     // In a lesson it would be the answer.
     let from = answers::hard_to_see_from(app).filter(|_| !bare);
     let does = from.map_or_else(String::new, |order| match order {
-        0 => "no difference is seen".to_owned(),
-        order => format!("looks alike from {order} on"),
+        0 => said!("no difference is seen").to_owned(),
+        order => tr!("looks alike from {order} on", order),
     });
     let judged = match from {
-        Some(_) => format!(
-            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from so many waves on, judged {}.",
-            answers::judged_on(app)
+        Some(_) => tr!(
+            "Hard to see: ΔE₀₀ below {limit} from so many waves on, judged {judged_on}.",
+            limit = short(HARD_TO_SEE),
+            judged_on = answers::judged_on(app)
         ),
         None => String::new(),
     };
-    let meaning = format!(
+    let meaning = said!(
         "Waves that draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys move it \
-         by one.{judged}"
+         by one."
     );
-    caption(ui, width, names::ORDER, &meaning, &does, theme);
+    let meaning = [meaning, &judged].join(" ");
+    let meaning = meaning.trim_end();
+    caption(ui, width, said(names::ORDER), meaning, &does, theme);
     ui.horizontal(|ui| {
         let order = settings.order as f64;
         let mut place = place_of_order(order);
@@ -256,8 +273,8 @@ fn waves(
                 .range(Settings::ORDER.reach.range())
                 .speed(0.1),
         );
-        named(&typed, egui::Role::SpinButton, names::ORDER_TYPED);
-        typed.on_hover_text("Drag or type: 0 to 100.");
+        named(&typed, egui::Role::SpinButton, said(names::ORDER_TYPED));
+        typed.on_hover_text(said!("Drag or type: 0 to 100."));
     });
 }
 
@@ -276,11 +293,12 @@ fn lines(
     theme: Theme,
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
-    let meaning = "The least share of the power that a line must hold to be kept as a line of its \
-                   own, a place and a weight: two numbers each. Each tick is a line that drops out \
-                   there.";
+    let meaning = said!(
+        "The least share of the power that a line must hold to be kept as a line of its own, a \
+         place and a weight: two numbers each. Each tick is a line that drops out there."
+    );
     let does = answers::lines_words(app);
-    caption(ui, width, names::LINES, meaning, &does, theme);
+    caption(ui, width, said(names::LINES), meaning, &does, theme);
     let by_energy = settings.detector == Detector::Energy;
     ui.horizontal(|ui| {
         let [lowest, highest] = LINE_THRESHOLDS;
@@ -320,32 +338,34 @@ fn lines(
                 )
             })
             .inner;
-        named(&typed, egui::Role::SpinButton, names::LINES_TYPED);
+        named(&typed, egui::Role::SpinButton, said(names::LINES_TYPED));
         if typed.changed() && count != found {
             settings.spikes = count > 0;
             if count > 0 {
                 settings.threshold_percent = answers::threshold_for(app, shares, count);
             }
         }
-        typed.on_hover_text("Lines that are kept: drag or type.");
+        typed.on_hover_text(said!("Lines that are kept: drag or type."));
     });
 }
 
 /// What decides in the place of the knobs, and the other knobs.
 fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), theme: Theme, asked: &mut Asked) {
-    let button = main_button(ui, names::AUTOMATIC);
-    let meaning = "The best model with at most this many numbers, over every basis, with and \
-                   without lines, plain and colour-exact; one step of undo.";
+    let button = main_button(ui, said(names::AUTOMATIC));
+    let meaning = said!(
+        "The best model with at most this many numbers, over every basis, with and without lines, \
+         plain and colour-exact; one step of undo."
+    );
     asked.automatic = pressed_if(ui, !busy, button, meaning);
     let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
-    number(ui, count, names::BUDGET)
-        .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
+    number(ui, count, said(names::BUDGET))
+        .on_hover_text(said!("Most numbers that Automatic may spend, 1 to 101."));
     // In a narrow window the buttons need the room.
     if ui.available_width() >= 170.0 * theme.scale {
-        ui.label("numbers");
+        ui.label(said(NUMBERS));
     }
-    let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";
-    asked.more = pressed(ui, names::MORE, meaning);
-    let meaning = "Model, layers and surfaces back to the start (R).";
-    asked.reset = pressed(ui, names::RESET, meaning);
+    let meaning = said!("Basis, colour-exact, widest line, dark lines, range, observer, products.");
+    asked.more = pressed(ui, said(names::MORE), meaning);
+    let meaning = said!("Model, layers and surfaces back to the start (R).");
+    asked.reset = pressed(ui, said(names::RESET), meaning);
 }

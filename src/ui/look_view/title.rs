@@ -5,6 +5,7 @@ use egui::{Align, Button, Color32, Label, Layout, RichText, Ui};
 
 use crate::{
     app::{App, Command, Height, Laid, View, chart::Ink},
+    languages::said,
     ui::{
         kit::{named, named_choice, pressed},
         theme::Theme,
@@ -27,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(title).truncate());
         if let Some(product) = app.product() {
-            let words = format!("off {}", product.name);
+            let words = tr!("off {product}", product = product.name);
             ui.add(Label::new(words).truncate());
         }
     };
@@ -37,9 +38,9 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
         };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let back = ui.add(Button::new("✕").frame(false));
-            named(&back, egui::Role::Button, "Whole window");
+            named(&back, egui::Role::Button, said!("Whole window"));
             *leaves = back
-                .on_hover_text("Back to the whole window (Esc).")
+                .on_hover_text(said!("Back to the whole window (Esc)."))
                 .clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), title);
         });
@@ -47,7 +48,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
     if !bare {
         ui.horizontal(|ui| {
             let unit = match app.unit() {
-                "" => "no unit stated",
+                "" => said!("no unit stated"),
                 unit => unit,
             };
             let about = told.map_or("", |told| told.about.about.as_str());
@@ -81,16 +82,16 @@ pub(super) fn layers(
         chip(
             ui,
             &mut view.measured,
-            "Measured",
+            [said!("Measured"), said!("Show measured")],
             Some(theme.ink(Ink::Smooth)),
-            "The spectrum as measured, filled with the wavelengths' own colours.",
+            said!("The spectrum as measured, filled with the wavelengths' own colours."),
         );
         chip(
             ui,
             &mut view.model,
-            "Model",
+            [said!("Model"), said!("Show model")],
             Some(theme.ink(Ink::Model)),
-            "The model's smooth part as an outline; its lines stand on it.",
+            said!("The model's smooth part as an outline; its lines stand on it."),
         );
         let with_widths = width >= 920.0;
         if !tight {
@@ -106,7 +107,7 @@ pub(super) fn layers(
         if with_others {
             others(ui, theme, view);
         }
-        let menu = ui.menu_button("Layers", |ui| {
+        let menu = ui.menu_button(said!("Layers"), |ui| {
             if tight {
                 ui.horizontal(|ui| heights(ui, app, view, true));
                 lines(ui, theme, view);
@@ -121,14 +122,14 @@ pub(super) fn layers(
             chip(
                 ui,
                 &mut view.strip,
-                "Colours",
+                [said!("Colours"), said!("Show colours")],
                 None,
-                "Fills a light with the colours of its wavelengths.",
+                said!("Fills a light with the colours of its wavelengths."),
             );
             overlays(ui, app, theme, view, commands);
         });
         menu.response
-            .on_hover_text("More layers, and the spectra that are compared.");
+            .on_hover_text(said!("More layers, and the spectra that are compared."));
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
@@ -155,21 +156,24 @@ fn lines(ui: &mut Ui, theme: Theme, view: &mut View) {
     chip(
         ui,
         &mut view.spikes,
-        "Lines",
+        [said!("Lines"), said!("Show lines")],
         Some(theme.ink(Ink::Spikes)),
-        "The model's lines, each as high as the line that it stands for: weight / (1.0645 x its \
-         width).",
+        said!(
+            "The model's lines, each as high as the line that it stands for: weight / (1.0645 x \
+             its width)."
+        ),
     );
 }
 
 /// The name of the button that sets a line.
-pub const ADD_LINE: &str = "+ Line";
+pub const ADD_LINE: &str = later!("+ Line");
 
 /// Has the next click in the plot set a line.
 fn add_line(ui: &mut Ui, adds_line: &mut bool) {
-    let button = Button::selectable(*adds_line, ADD_LINE).frame_when_inactive(true);
-    let meaning = "Then click in the plot where the line stands. Shift and double click does the \
-                   same.";
+    let button = Button::selectable(*adds_line, said(ADD_LINE)).frame_when_inactive(true);
+    let meaning = said!(
+        "Then click in the plot where the line stands. Shift and double click does the same."
+    );
     if ui.add(button).on_hover_text(meaning).clicked() {
         *adds_line = !*adds_line;
     }
@@ -180,16 +184,16 @@ fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
     chip(
         ui,
         &mut view.smooth,
-        "Smooth part",
+        [said!("Smooth part"), said!("Show smooth part")],
         Some(theme.ink(Ink::Smooth)),
-        "The smooth part alone: the short series.",
+        said!("The smooth part alone: the short series."),
     );
     chip(
         ui,
         &mut view.residual,
-        "Residual",
+        [said!("Residual"), said!("Show residual")],
         Some(theme.ink(Ink::Residual)),
-        "Model minus measured, below; lines as wide as they are.",
+        said!("Model minus measured, below; lines as wide as they are."),
     );
 }
 
@@ -198,21 +202,35 @@ fn laid_over(app: &App) -> String {
     let (overlays, laid): (Vec<_>, Vec<_>) = app.laid().unzip();
     let names = match &overlays[..] {
         [one] => one.name().to_owned(),
-        _ => format!("{} others", overlays.len()),
+        _ => tr!("{n} other" | "{n} others" % overlays.len()),
     };
-    let of = |words: &str, is: fn(&Laid) -> bool| match laid.iter().filter(|l| is(l)).count() {
+    let of = |all: &str, some: fn(usize) -> String, is: fn(&Laid) -> bool| match laid
+        .iter()
+        .filter(|l| is(l))
+        .count()
+    {
         0 => String::new(),
-        n if n == overlays.len() => format!(" {words}"),
-        n => format!(", {n} of them {words}"),
+        n if n == overlays.len() => format!(" {all}"),
+        n => format!(", {}", some(n)),
     };
-    let equal = of("at the same brightness", |laid| {
-        matches!(laid, Laid::EquallyBright(_))
-    });
-    let as_high = of("as high as the spectrum", |laid| {
-        matches!(laid, Laid::AsHigh(_))
-    });
+    let equal = of(
+        said!("at the same brightness"),
+        |n| tr!("{n} of them at the same brightness" | "{n} of them at the same brightness" % n),
+        |laid| matches!(laid, Laid::EquallyBright(_)),
+    );
+    let as_high = of(
+        said!("as high as the spectrum"),
+        |n| tr!("{n} of them as high as the spectrum" | "{n} of them as high as the spectrum" % n),
+        |laid| matches!(laid, Laid::AsHigh(_)),
+    );
     let apart = of(
-        "not drawn: power and reflectance have no common axis",
+        said!("not drawn: power and reflectance have no common axis"),
+        |n| {
+            tr!(
+                "{n} of them not drawn: power and reflectance have no common axis"
+                    | "{n} of them not drawn: power and reflectance have no common axis" % n
+            )
+        },
         |laid| *laid == Laid::Apart,
     );
     names + &equal + &as_high + &apart
@@ -222,28 +240,35 @@ fn laid_over(app: &App) -> String {
 fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
     let settings = app.document().settings;
     ui.spacing_mut().item_spacing.x = 0.0;
-    for (wide_lines, word, meaning) in [
+    for (wide_lines, word, name, meaning) in [
         (
             false,
-            "Ideal",
-            "Lines have no width, as in the paper: a place and a weight.",
+            said!("Ideal"),
+            said!("Lines: ideal"),
+            said!("Lines have no width, as in the paper: a place and a weight."),
         ),
         (
             true,
-            "As wide as they are",
-            "Each line is a bell of its own width, kept in the same word as its place; one number \
-             more tells so. Figures, chromaticity, colours and One filter take the widths; the other \
-             pages take a line's centre.",
+            said!("As wide as they are"),
+            said!("Lines: as wide as they are"),
+            said!(
+                "Each line is a bell of its own width, kept in the same word as its place; one \
+                 number more tells so. Figures, chromaticity, colours and One filter take the \
+                 widths; the other pages take a line's centre."
+            ),
         ),
     ] {
         let is_chosen = settings.wide_lines == wide_lines;
-        let shown = if wide_lines && !in_full { "Wide" } else { word };
+        let shown = if wide_lines && !in_full {
+            said!("Wide")
+        } else {
+            word
+        };
         let button = ui
             .add_enabled(settings.spikes, Button::selectable(is_chosen, shown))
             .on_hover_text(meaning)
-            .on_disabled_hover_text("No lines are taken out.");
-        let name = format!("Lines: {}", word.to_lowercase());
-        named_choice(&button, egui::Role::RadioButton, is_chosen, &name);
+            .on_disabled_hover_text(said!("No lines are taken out."));
+        named_choice(&button, egui::Role::RadioButton, is_chosen, name);
         if button.clicked() && !is_chosen {
             commands.push(Command::Edit(crate::app::Settings {
                 wide_lines,
@@ -258,15 +283,19 @@ fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
 const HEIGHTS: [(Height, &str, &str); 3] = [
     (
         Height::Log,
-        "Log",
-        "By their logarithms: faint parts are seen.",
+        later!("Log"),
+        later!("By their logarithms: faint parts are seen."),
     ),
     (
         Height::Root,
-        "Root",
-        "By their square roots: glow and whole lines are seen together.",
+        later!("Root"),
+        later!("By their square roots: glow and whole lines are seen together."),
     ),
-    (Height::Even, "Even", "Evenly: equal areas are equal power."),
+    (
+        Height::Even,
+        later!("Even"),
+        later!("Evenly: equal areas are equal power."),
+    ),
 ];
 
 /// How heights are drawn.
@@ -279,10 +308,11 @@ fn heights(ui: &mut Ui, app: &App, view: &mut View, wide: bool) {
     };
     ui.spacing_mut().item_spacing.x = 0.0;
     for (height, word, meaning) in HEIGHTS {
+        let (word, meaning) = (said(word), said(meaning));
         let button = ui
             .add(Button::selectable(now == height, word))
             .on_hover_text(meaning);
-        let name = format!("Height: {word}");
+        let name = tr!("Height: {word}", word);
         named_choice(&button, egui::Role::RadioButton, now == height, &name);
         if button.clicked() {
             view.height = height;
@@ -290,7 +320,7 @@ fn heights(ui: &mut Ui, app: &App, view: &mut View, wide: bool) {
     }
     if wide {
         ui.add_space(8.0);
-        ui.weak("Height");
+        ui.weak(said!("Height"));
     }
 }
 
@@ -304,22 +334,31 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
     chip(
         ui,
         &mut view.overlays,
-        "Overlays",
+        [said!("Overlays"), said!("Show overlays")],
         Some(theme.ink(Ink::Overlay(0))),
-        "The spectra that are compared. Lights of relative units are drawn as bright as the one \
-         that is shown; surfaces are drawn over surfaces only.",
+        said!(
+            "The spectra that are compared. Lights of relative units are drawn as bright as the \
+             one that is shown; surfaces are drawn over surfaces only."
+        ),
     );
     for (i, overlay) in document.overlays.iter().enumerate() {
         let colour = theme.ink(Ink::Overlay(i));
         ui.label(RichText::new(overlay.name()).color(colour));
     }
-    if pressed(ui, "Clear", "Takes all overlays away.") {
+    if pressed(ui, said!("Clear"), said!("Takes all overlays away.")) {
         commands.push(Command::ClearOverlays);
         ui.close();
     }
 }
 
-fn chip(ui: &mut Ui, on: &mut bool, name: &str, mark: Option<Color32>, meaning: &str) {
+/// A switch of a layer, and what screen readers call it.
+fn chip(
+    ui: &mut Ui,
+    on: &mut bool,
+    [name, called]: [&str; 2],
+    mark: Option<Color32>,
+    meaning: &str,
+) {
     let button = match mark {
         Some(colour) => {
             let sign = if *on { "●" } else { "○" };
@@ -331,8 +370,7 @@ fn chip(ui: &mut Ui, on: &mut bool, name: &str, mark: Option<Color32>, meaning: 
     let outline = ui.visuals().widgets.noninteractive.bg_stroke;
     let button = button.frame_when_inactive(true).stroke(outline);
     let response = ui.add(button).on_hover_text(meaning);
-    let name = format!("Show {}", name.to_lowercase());
-    named_choice(&response, egui::Role::CheckBox, *on, &name);
+    named_choice(&response, egui::Role::CheckBox, *on, called);
     if response.clicked() {
         *on = !*on;
     }

@@ -6,6 +6,7 @@ use egui::{Slider, SliderClamping, Ui};
 use super::{names, reach_words};
 use crate::{
     app::{Detector, Settings, ticks},
+    languages::said,
     ui::kit::{Choice, knob},
 };
 
@@ -18,18 +19,18 @@ fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
     let enabled = settings.spikes;
     if settings.detector == Detector::Gradient {
         let slider = knob::slider(&Settings::GRADIENT, settings).logarithmic(true);
-        let meaning = "Least slope of a line's flanks, percent of the largest value per nm.";
-        return slider_row(ui, enabled, "Slope", slider, meaning);
+        let meaning = said!("Least slope of a line's flanks, percent of the largest value per nm.");
+        return slider_row(ui, enabled, said!("Slope"), slider, meaning);
     }
     let slider = Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
         .logarithmic(true)
         .clamping(SliderClamping::Never)
         .suffix(" %");
-    let meaning = format!(
-        "Least share of the total power that a line must carry, percent. {} can be typed.",
-        reach_words(&Settings::THRESHOLD)
+    let meaning = tr!(
+        "Least share of the total power that a line must carry, percent. {range} can be typed.",
+        range = reach_words(&Settings::THRESHOLD)
     );
-    slider_row(ui, enabled, names::THRESHOLD, slider, &meaning);
+    slider_row(ui, enabled, said(names::THRESHOLD), slider, &meaning);
 }
 
 fn slider_row(ui: &mut Ui, enabled: bool, name: &str, slider: Slider<'_>, meaning: &str) {
@@ -45,32 +46,39 @@ fn slider_row(ui: &mut Ui, enabled: bool, name: &str, slider: Slider<'_>, meanin
 fn detector_words(detector: Detector) -> (&'static str, &'static str) {
     match detector {
         Detector::Energy => (
-            "by energy",
-            "Prominent, narrow peaks whose energy is above the threshold.",
+            said!("by energy"),
+            said!("Prominent, narrow peaks whose energy is above the threshold."),
         ),
-        Detector::Gradient => ("by gradient", "The paper's way: steep on both sides."),
+        Detector::Gradient => (
+            said!("by gradient"),
+            said!("The paper's way: steep on both sides."),
+        ),
     }
 }
 
 /// Draws what is taken for a line.
 pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
-    ui.checkbox(&mut settings.spikes, names::SPIKES)
-        .on_hover_text("Takes lines out of the spectrum and keeps each as a place and a weight.");
+    ui.checkbox(&mut settings.spikes, said(names::SPIKES))
+        .on_hover_text(said!(
+            "Takes lines out of the spectrum and keeps each as a place and a weight."
+        ));
     ui.horizontal(|ui| {
         ui.add_enabled_ui(settings.spikes, |ui| {
             let choice = Choice {
-                name: "How lines are found",
-                meaning: "The rule that tells a line from the smooth part.",
+                name: said!("How lines are found"),
+                meaning: said!("The rule that tells a line from the smooth part."),
                 width: ui.spacing().combo_width,
             };
             let both = [Detector::Energy, Detector::Gradient];
             choice.pick(ui, &mut settings.detector, both, detector_words);
             ui.add_enabled(
                 settings.detector == Detector::Energy,
-                egui::Checkbox::new(&mut settings.dips, names::DIPS),
+                egui::Checkbox::new(&mut settings.dips, said(names::DIPS)),
             )
-            .on_disabled_hover_text("The gradient detector finds bright lines only.")
-            .on_hover_text("Looks for absorption lines too; they become lines of negative weight.");
+            .on_disabled_hover_text(said!("The gradient detector finds bright lines only."))
+            .on_hover_text(said!(
+                "Looks for absorption lines too; they become lines of negative weight."
+            ));
         });
     });
     ui.end_row();
@@ -79,9 +87,9 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     let slider = Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
         .clamping(SliderClamping::Never)
         .suffix(" nm");
-    let meaning = format!(
-        "Full width at half maximum of the widest line that is kept, nm. {} can be typed.",
-        reach_words(&Settings::WIDTH)
+    let meaning = tr!(
+        "Full width at half maximum of the widest line that is kept, nm. {range} can be typed.",
+        range = reach_words(&Settings::WIDTH)
     );
-    slider_row(ui, settings.spikes, names::WIDTH, slider, &meaning);
+    slider_row(ui, settings.spikes, said(names::WIDTH), slider, &meaning);
 }

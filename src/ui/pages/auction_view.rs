@@ -23,6 +23,7 @@ use crate::{
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
+    languages::said,
     study::{Auction, FitVariant, Goal, Reference},
     ui::kit::{Column, Row, headline, named, rolled, table},
 };
@@ -31,12 +32,13 @@ use crate::{
 const WIDE: f32 = 1080.0;
 
 /// How the auction goes.
-const RULES: &str = "A wave and a line cost two numbers each; one more number gives all lines \
-                     their own widths. At every price these are tried: one purchase more for \
-                     each of the eight best models so far, two more for the best, and every count \
-                     of waves with none, one, two ... of the heaviest lines. The model of lowest \
-                     error is sold, or one within a twentieth of it that keeps what was bought \
-                     before; otherwise something is given back.";
+const RULES: &str = later!(
+    "A wave and a line cost two numbers each; one more number gives all lines their own widths. At \
+     every price these are tried: one purchase more for each of the eight best models so far, two \
+     more for the best, and every count of waves with none, one, two ... of the heaviest lines. \
+     The model of lowest error is sold, or one within a twentieth of it that keeps what was bought \
+     before; otherwise something is given back."
+);
 
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
@@ -71,7 +73,7 @@ impl AuctionView {
         let answer = job.answer().filter(|_| stage != Stage::Impossible);
         let answer = answer.map(|(key, found)| (key.clone(), found.clone()));
         if answer.is_none() || stage != Stage::Done {
-            progress(ui, job, "The auction");
+            progress(ui, job, said!("The auction"));
         }
         let Some((key, auction)) = answer else {
             return controls(ui, context, goal);
@@ -138,37 +140,39 @@ impl Sheet {
 /// Goal and budget.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     ui.horizontal_wrapped(|ui| {
-        ui.label("Lower the error of")
-            .on_hover_text("The error that each purchase lowers most.");
+        ui.label(said!("Lower the error of"))
+            .on_hover_text(said!("The error that each purchase lowers most."));
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
-            let named = (Goal::MEASURES[i], NAMES[i]);
+            let named = (Goal::MEASURES[i], said(NAMES[i]));
             if choose(ui, context.app, named, goal == plain) {
                 context.pages.auction.goal = plain;
             }
         }
     });
     ui.horizontal_wrapped(|ui| {
-        ui.label("or a mix of").on_hover_text(
+        ui.label(said!("or a mix of")).on_hover_text(said!(
             "Weights of the four errors. In a mix each error is divided by its value without \
-             waves, so that they can be added.",
-        );
+             waves, so that they can be added."
+        ));
         weights(ui, context, goal);
     });
     ui.horizontal_wrapped(|ui| {
-        let label = ui.label("Spend up to");
+        let label = ui.label(said!("Spend up to"));
         let numbers = DragValue::new(&mut context.pages.auction.numbers)
             .range(SPENDABLE)
             .speed(0.1);
-        ui.add(numbers)
-            .labelled_by(label.id)
-            .on_hover_text("Most numbers that may be spent, 1 to 101; a wave and a line cost two.");
+        ui.add(numbers).labelled_by(label.id).on_hover_text(said!(
+            "Most numbers that may be spent, 1 to 101; a wave and a line cost two."
+        ));
         let settings = context.app.document().settings;
         let way = FitVariant::new(settings.basis, false, settings.colour_exact);
-        ui.label("numbers");
-        ui.weak(format!("{}, as in the model.", way.title()))
-            .on_hover_text("Basis, fit and threshold are the document's; change them there.");
+        ui.label(said!("numbers"));
+        ui.weak(tr!("{way}, as in the model.", way = way.title()))
+            .on_hover_text(said!(
+                "Basis, fit and threshold are the document's; change them there."
+            ));
         if goal.plain_measure().is_none() {
-            ui.weak("Each error over its value without waves.");
+            ui.weak(said!("Each error over its value without waves."));
         }
     });
 }
@@ -184,14 +188,14 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
             .range(0.0..=MOST_WEIGHT)
             .max_decimals(2);
         let response = ui.add_enabled(lacks[i].is_none(), value);
-        let name = format!("Weight of {}", NAMES[i]);
+        let name = tr!("Weight of {error}", error = said(NAMES[i]));
         named(&response, egui::Role::SpinButton, &name);
         changed |= response.changed();
         let meaning = Goal::MEASURES[i].figure().meaning;
         response
-            .on_hover_text(format!("{meaning} Its weight in the mix."))
+            .on_hover_text(format!("{meaning} {}", said!("Its weight in the mix.")))
             .on_disabled_hover_text(lacks[i].unwrap_or_default());
-        ui.weak(NAMES[i]);
+        ui.weak(said(NAMES[i]));
     }
     if changed && weights.iter().any(|weight| *weight > 0.0) {
         let [own, patches, spectrum, filters] = weights;
@@ -206,20 +210,30 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
 
 fn columns() -> Vec<Column> {
     vec![
-        Column::numbers("numbers", "Spent so far.", 1.15),
-        Column::words("bought", "The use of two more numbers, or four.", 3.6),
+        Column::numbers(said!("numbers"), said!("Spent so far."), 1.15),
         Column::words(
-            "given back",
-            "Parts that the better model at this price does without.",
+            said!("bought"),
+            said!("The use of two more numbers, or four."),
+            3.6,
+        ),
+        Column::words(
+            said!("given back"),
+            said!("Parts that the better model at this price does without."),
             3.0,
         ),
         Column::numbers(
-            "error",
-            "The goal: CIEDE2000, or percent; of a mix the weighted mean of the errors, each over \
-             its value at N = 0.",
+            said!("error"),
+            said!(
+                "The goal: CIEDE2000, or percent; of a mix the weighted mean of the errors, each \
+                 over its value at N = 0."
+            ),
             1.2,
         ),
-        Column::numbers("lower by", "Than the step before, percent.", 1.2),
+        Column::numbers(
+            said!("lower by"),
+            said!("Than the step before, percent."),
+            1.2,
+        ),
     ]
 }
 
@@ -227,7 +241,7 @@ fn row(auction: &Auction, index: usize, goal: Goal, names: &[crate::app::LineNam
     let step = &auction.steps[index];
     let before = index.checked_sub(1).map(|i| auction.steps[i].error);
     let bought = if step.bought.is_empty() {
-        "the mean".to_owned()
+        said!("the mean").to_owned()
     } else {
         purchases_words(&step.bought, auction, names)
     };
@@ -243,22 +257,22 @@ fn row(auction: &Auction, index: usize, goal: Goal, names: &[crate::app::LineNam
     ];
     Row {
         cells,
-        name: format!(
-            "Step {}: {}, {bought}, error {error}",
-            index + 1,
-            numbers(step.numbers)
+        name: tr!(
+            "Step {step}: {numbers}, {bought}, error {error}",
+            step = index + 1,
+            numbers = numbers(step.numbers),
+            bought,
+            error
         ),
-        note: format!(
-            "{}
-{}
-Click to take this model.",
-            if gave_back.is_empty() {
-                format!("Bought {bought}.")
-            } else {
-                format!("Bought {bought}; gave back {gave_back}.")
+        note: [
+            match gave_back.is_empty() {
+                true => tr!("Bought {bought}.", bought),
+                false => tr!("Bought {bought}; gave back {gave_back}.", bought, gave_back),
             },
-            all_figures(&step.verdict)
-        ),
+            all_figures(&step.verdict),
+            said!("Click to take this model.").to_owned(),
+        ]
+        .join("\n"),
         ..Row::default()
     }
 }
@@ -288,18 +302,18 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
 fn take_last(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
     let last = sheet.auction.steps.len() - 1;
     let taken = sheet.chosen == Some(last);
-    let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take this model"));
+    let button = ui.add_enabled(fresh && !taken, egui::Button::new(said!("Take this model")));
     if button.clicked() {
         act(context, sheet, last);
     }
     button
-        .on_hover_text(
-            "Makes the model that was bought in the end the document's, in one step of undo.",
-        )
+        .on_hover_text(said!(
+            "Makes the model that was bought in the end the document's, in one step of undo."
+        ))
         .on_disabled_hover_text(if taken {
-            "It is the model in force."
+            said!("It is the model in force.")
         } else {
-            "The auction is still running."
+            said!("The auction is still running.")
         });
 }
 
@@ -319,7 +333,7 @@ fn steps(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool)
         act(context, sheet, step);
     }
     ui.add_space(8.0);
-    ui.weak(RULES);
+    ui.weak(said(RULES));
 }
 
 /// Takes the model of a step.

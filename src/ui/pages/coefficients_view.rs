@@ -1,7 +1,5 @@
 //! The page "Coefficients": the light's numbers beside those of the eye, and sums that grow.
 
-use std::fmt::Write as _;
-
 use eframe::egui;
 use egui::{Slider, Ui, Vec2, vec2};
 
@@ -10,14 +8,12 @@ use crate::{
     app::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
-        charts::{
-            coefficients::{CoefficientCharts, Sight},
-            tradeoff::waves_words,
-        },
+        charts::coefficients::{CoefficientCharts, Sight},
         numbers::{figure, percent},
         studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent, three},
     },
     io::many::numbers,
+    languages::{fixed, said},
     spectrum::{Basis, numbers_of_order},
     study::harmonics::Harmonics,
     ui::{
@@ -48,10 +44,10 @@ const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
-    pub const PARTIAL: &str = "Sum of waves up to";
-    pub const PLAY: &str = "▶ Play";
-    pub const STOP: &str = "■ Stop";
-    pub const ORDERS: &str = "Wave by wave";
+    pub const PARTIAL: &str = later!("Sum of waves up to");
+    pub const PLAY: &str = later!("▶ Play");
+    pub const STOP: &str = later!("■ Stop");
+    pub const ORDERS: &str = later!("Wave by wave");
 }
 
 #[derive(Default)]
@@ -79,7 +75,9 @@ impl CoefficientsView {
         if !context.app.derived().has_errors() {
             self.next_step = None;
             ui.add_space(6.0);
-            ui.weak("The spectrum is zero over the whole range: there is nothing to add up.");
+            ui.weak(said!(
+                "The spectrum is zero over the whole range: there is nothing to add up."
+            ));
             return;
         }
         play(ui, context, &mut self.next_step, highest);
@@ -87,9 +85,14 @@ impl CoefficientsView {
             let order = context.pages.why.partial_order;
             if let Some([whole, summed]) = colours_summed(context.app, harmonics, order) {
                 let size = SWATCH * context.theme.scale;
-                let name = format!("Colour: measured {}, summed {}", whole.hex(), summed.hex());
-                swatch::split(ui, size, &whole, &summed, &name).on_hover_text(format!(
-                    "Left the colour as measured, right the colour of the waves up to {order}."
+                let name = tr!(
+                    "Colour: measured {measured}, summed {summed}",
+                    measured = whole.hex(),
+                    summed = summed.hex()
+                );
+                swatch::split(ui, size, &whole, &summed, &name).on_hover_text(tr!(
+                    "Left the colour as measured, right the colour of the waves up to {order}.",
+                    order
                 ));
             }
             ui.vertical(|ui| {
@@ -167,25 +170,32 @@ fn controls(
     ui.horizontal_wrapped(|ui| {
         for (k, name) in CHANNELS.into_iter().enumerate() {
             ui.selectable_value(&mut context.pages.why.channel, k, name)
-                .on_hover_text(format!(
-                    "Shows the coefficients that make {name} of CIE X, Y, Z."
+                .on_hover_text(tr!(
+                    "Shows the coefficients that make {name} of CIE X, Y, Z.",
+                    name
                 ));
         }
         ui.separator();
-        let label = ui.label(names::PARTIAL);
+        let label = ui.label(said(names::PARTIAL));
         let reach = 0..=CURVE_ORDER
             .min(highest)
             .max(context.pages.why.partial_order);
         let slider = ui
             .add(Slider::new(&mut context.pages.why.partial_order, reach).integer())
             .labelled_by(label.id)
-            .on_hover_text("Waves of the partial sum that is drawn; the model itself stays.");
+            .on_hover_text(said!(
+                "Waves of the partial sum that is drawn; the model itself stays."
+            ));
         if slider.changed() {
             *next_step = None;
         }
         let playing = next_step.is_some();
-        let words = if playing { names::STOP } else { names::PLAY };
-        let meaning = "Adds the waves 0, 1, 2, ... one after the other, two a second.";
+        let words = if playing {
+            said(names::STOP)
+        } else {
+            said(names::PLAY)
+        };
+        let meaning = said!("Adds the waves 0, 1, 2, ... one after the other, two a second.");
         if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
@@ -204,14 +214,14 @@ fn controls(
 fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     let settings = context.app.document().settings;
     let order = context.pages.why.partial_order;
-    let button = egui::Button::new(format!("Use {}", waves_words(order)));
+    let button = egui::Button::new(tr!("Use {n} wave" | "Use {n} waves" % order));
     if ui
         .add_enabled(order != settings.order, button)
-        .on_hover_text(format!(
-            "Gives the model so many waves: {} for the smooth part.",
-            numbers(numbers_of_order(order))
+        .on_hover_text(tr!(
+            "Gives the model so many waves: {numbers} for the smooth part.",
+            numbers = numbers(numbers_of_order(order))
         ))
-        .on_disabled_hover_text("The model has so many waves.")
+        .on_disabled_hover_text(said!("The model has so many waves."))
         .clicked()
     {
         context
@@ -225,17 +235,19 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
     let order = context.pages.why.partial_order;
     let missed = harmonics.orders.get(order).map(|o| o.neglected);
     let Some([Some(x), Some(y), Some(z)]) = missed else {
-        let none = "X, Y and Z are not all positive on this range: there are no shares of them.";
+        let none =
+            said!("X, Y and Z are not all positive on this range: there are no shares of them.");
         return [none.to_owned(), String::new()];
     };
-    let mut first = format!(
-        "The sum of {} has X, Y and Z off by {} %",
-        waves_words(order),
-        three([x, y, z].map(off_percent))
+    let mut first = tr!(
+        "The sum of {n} wave has X, Y and Z off by {shares} %"
+            | "The sum of {n} waves has X, Y and Z off by {shares} %" % order,
+        shares = three([x, y, z].map(off_percent))
     );
     let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
     if of_spikes != 0.0 {
-        let _ = write!(first, "; lines bring {} % of Y", percent(of_spikes));
+        first += "; ";
+        first += &tr!("lines bring {share} % of Y", share = percent(of_spikes));
     }
     first.push('.');
     [first, about_the_bound(context, harmonics)]
@@ -243,34 +255,40 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
 
 fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
     if harmonics.basis != Basis::Fourier {
-        return format!(
-            "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for {} series there is no \
-             such bound.",
-            harmonics.basis.name()
+        return tr!(
+            "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for {basis} series there \
+             is no such bound.",
+            basis = said(harmonics.basis.name())
         );
     }
     if harmonics.orders.iter().all(|o| o.bound.is_none()) {
         return if context.app.document().is_about_light() {
-            "Eq. 10 and Eq. 12 are about the CIE 1931 functions; another observer is in force."
+            said!(
+                "Eq. 10 and Eq. 12 are about the CIE 1931 functions; another observer is in force."
+            )
         } else {
-            "Eq. 10 and Eq. 12 are about the colour-matching functions alone, not times a light."
+            said!(
+                "Eq. 10 and Eq. 12 are about the colour-matching functions alone, not times a \
+                 light."
+            )
         }
         .to_owned();
     }
     match harmonics.slowest_fall {
-        Some(slow) if slow.meets_eq_11() => format!(
-            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do (at most {} \
-             times |a0|/n, at n = {}).",
-            figure(slow.fall),
-            slow.order
+        Some(slow) if slow.meets_eq_11() => tr!(
+            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do (at most \
+             {figure} times |a0|/n, at n = {order}).",
+            figure = figure(slow.fall),
+            order = slow.order
         ),
-        Some(slow) => format!(
-            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do not: at n = {} \
-             they are {} times |a0|/n.",
-            slow.order,
-            figure(slow.fall)
+        Some(slow) => tr!(
+            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do not: at n = \
+             {order} they are {figure} times |a0|/n.",
+            order = slow.order,
+            figure = figure(slow.fall)
         ),
-        None => "Without a mean there is nothing that the coefficients could fall from.".to_owned(),
+        None => said!("Without a mean there is nothing that the coefficients could fall from.")
+            .to_owned(),
     }
 }
 
@@ -295,8 +313,8 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
         ui.end_row();
     };
     ui.strong(match pointed {
-        Some(_) => format!("Wave {n}, under the pointer"),
-        None => format!("Wave {n}, the last of the sum"),
+        Some(_) => tr!("Wave {n}, under the pointer", n),
+        None => tr!("Wave {n}, the last of the sum", n),
     });
     egui::Grid::new("order in figures")
         .striped(true)
@@ -308,28 +326,34 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
                 ui.strong(second);
             }
             ui.end_row();
-            row(ui, "spectrum, its own unit", order.light);
-            row(ui, &format!("what weighs {name}"), order.weights[k]);
+            row(ui, said!("spectrum, its own unit"), order.light);
+            row(ui, &tr!("what weighs {name}", name), order.weights[k]);
             if let Some(fit) = order.gaussian {
-                row(ui, "the same by Eq. 10", fit[k]);
+                row(ui, said!("the same by Eq. 10"), fit[k]);
             }
         });
     ui.add_space(2.0);
-    ui.label(format!(
-        "Adds {} % of {name}.",
-        share(order.contribution[k])
+    ui.label(tr!(
+        "Adds {share} % of {name}.",
+        share = share(order.contribution[k]),
+        name
     ));
     if let Some(missing) = order.neglected[k] {
         let reached = 100.0 * (1.0 - missing);
         let off = off_percent(missing);
-        ui.label(format!("The sum is at {reached:.2} %, off by {off} %."));
+        ui.label(tr!(
+            "The sum is at {reached} %, off by {off} %.",
+            reached = fixed(reached, 2),
+            off
+        ));
     }
     if let Some(bound) = order.bound {
-        ui.label(format!(
-            "Term {n} over term 0: {} %; bound {} %, as printed {} %.",
-            percent(order.share_of_first[k]),
-            percent(bound.channels[k]),
-            percent(bound.channels_as_printed[k]),
+        ui.label(tr!(
+            "Term {n} over term 0: {share} %; bound {bound} %, as printed {printed} %.",
+            n,
+            share = percent(order.share_of_first[k]),
+            bound = percent(bound.channels[k]),
+            printed = percent(bound.channels_as_printed[k])
         ));
     }
 }
@@ -370,7 +394,7 @@ fn draw(
             let shown = one(ui, context, product, size);
             pointed = taken(context, shown, order);
         }
-        fold(ui, "orders", names::ORDERS, |ui| {
+        fold(ui, "orders", said(names::ORDERS), |ui| {
             let bars = [
                 ("light", charts.light.as_ref()),
                 ("weight", charts.weight.as_ref()),
@@ -422,10 +446,14 @@ fn one(
         ui.add_space(4.0);
         ui.weak(match id {
             "light" => {
-                "The mean is zero: there is nothing to compare the coefficients with.".to_owned()
+                said!("The mean is zero: there is nothing to compare the coefficients with.")
+                    .to_owned()
             }
-            "weight" => format!("The functions of {name} are zero on this range."),
-            _ => format!("{name} is not positive on this range: there are no shares of it."),
+            "weight" => tr!("The functions of {name} are zero on this range.", name),
+            _ => tr!(
+                "{name} is not positive on this range: there are no shares of it.",
+                name
+            ),
         });
         return None;
     };

@@ -15,6 +15,7 @@ use crate::{
             combine::{CombineAsk, Combined},
         },
     },
+    languages::{Language, said, spoken},
     measurements::{Kernel, Normalise, quantity_of},
     ui::{
         kit::{
@@ -38,17 +39,17 @@ const LIST: f32 = 180.0;
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const VERB: &str = "Make";
-    pub const SCANS: &str = "Scans";
-    pub const OTHERS: &str = "Compared with";
-    pub const SHAPE: &str = "Shape";
-    pub const SCALE: &str = "Scale";
-    pub const KEEP_ALL: &str = "Keep everything";
-    pub const SURFACE: &str = "Off a surface";
-    pub const TOLD: &str = "I know its width";
-    pub const LIBRARY: &str = "To the library";
-    pub const KEEP: &str = "Keep the instrument";
-    pub const KNOWN: &str = "Known light";
+    pub const VERB: &str = later!("Make");
+    pub const SCANS: &str = later!("Scans");
+    pub const OTHERS: &str = later!("Compared with");
+    pub const SHAPE: &str = later!("Shape");
+    pub const SCALE: &str = later!("Scale");
+    pub const KEEP_ALL: &str = later!("Keep everything");
+    pub const SURFACE: &str = later!("Off a surface");
+    pub const TOLD: &str = later!("I know its width");
+    pub const LIBRARY: &str = later!("To the library");
+    pub const KEEP: &str = later!("Keep the instrument");
+    pub const KNOWN: &str = later!("Known light");
 }
 
 /// The page.
@@ -80,7 +81,7 @@ impl CombineView {
             |ui, context| {
                 controls(ui, context, shown.as_deref());
                 let job = context.studies.of::<CombineAsk>();
-                progress(ui, job, "The result");
+                progress(ui, job, said!("The result"));
                 keep(ui, context, shown.as_deref().filter(|_| is_new));
                 for note in shown.iter().flat_map(|shown| &shown.notes) {
                     warning(ui, context.theme, note.as_str());
@@ -116,10 +117,18 @@ fn result(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Combined, size: Ve
     });
 }
 
+/// A title within a sentence: English writes it small there.
+fn in_sentence(title: &str) -> String {
+    match spoken() {
+        Language::English => title.to_lowercase(),
+        _ => title.to_owned(),
+    }
+}
+
 /// Tables below each other, each with its title and what copies it.
 fn tables(ui: &mut Ui, context: &PageContext<'_>, all: &[(&'static str, cells::Table)]) {
     for (title, table) in all {
-        let copy = format!("Copy {} as CSV", title.to_lowercase());
+        let copy = tr!("Copy {table} as CSV", table = in_sentence(title));
         titled(ui, title, &copy, "", || table.csv());
         let shares: &[f32] = match table.heads().count() {
             4 => &[0.24, 0.26, 0.34, 0.16],
@@ -137,8 +146,8 @@ fn keep(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>) {
     ui.add_space(GROUP);
     if context.pages.combine.verb == Verb::Learnt {
         let instrument = shown.and_then(|shown| shown.instrument.as_ref());
-        let button = main_button(ui, names::KEEP);
-        let meaning = "Readings are corrected by it from now on.";
+        let button = main_button(ui, said(names::KEEP));
+        let meaning = said!("Readings are corrected by it from now on.");
         if pressed_if(ui, instrument.is_some(), button, meaning)
             && let Some(instrument) = instrument
         {
@@ -148,8 +157,8 @@ fn keep(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>) {
         }
     } else {
         let is_made = shown.is_some_and(|shown| shown.is_made);
-        let button = main_button(ui, names::LIBRARY);
-        let meaning = "Keeps it among your own; it follows what it is made of.";
+        let button = main_button(ui, said(names::LIBRARY));
+        let meaning = said!("Keeps it among your own; it follows what it is made of.");
         if pressed_if(ui, is_made, button, meaning)
             && let Some(recipe) = context.pages.combine.recipe()
         {
@@ -163,14 +172,14 @@ fn keep(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>) {
 /// The instruments that were learnt: a click chooses one.
 fn instruments(ui: &mut Ui, state: &mut CombineState) {
     ui.add_space(GROUP);
-    ui.label(RichText::new("Instruments").strong());
+    ui.label(RichText::new(said!("Instruments")).strong());
     let mut gone = None;
     for (place, kept) in state.instruments.iter().enumerate() {
         ui.horizontal(|ui| {
             ui.radio_value(&mut state.instrument, place, &kept.name)
                 .on_hover_text(&kept.about);
-            let name = format!("Remove {}", kept.name);
-            if sign_button(ui, "\u{2715}", &name, "Takes it off the list.") {
+            let name = tr!("Remove {instrument}", instrument = kept.name);
+            if sign_button(ui, "\u{2715}", &name, said!("Takes it off the list.")) {
                 gone = Some(place);
             }
         });
@@ -180,7 +189,7 @@ fn instruments(ui: &mut Ui, state: &mut CombineState) {
         state.instruments.remove(place);
     }
     if state.instruments.is_empty() {
-        ui.weak("An instrument that is learnt is listed here.");
+        ui.weak(said!("An instrument that is learnt is listed here."));
     }
 }
 
@@ -190,11 +199,11 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>
     let width = LIST * context.theme.scale;
     form(ui, "combine", |form| {
         let choice = Choice {
-            name: names::VERB,
+            name: said(names::VERB),
             meaning: state.verb.meaning(),
             width,
         };
-        form.row((names::VERB, choice.meaning), |ui, _| {
+        form.row((said(names::VERB), choice.meaning), |ui, _| {
             let words = |verb: Verb| (verb.title(), verb.meaning());
             choice.pick(ui, &mut state.verb, Verb::ALL, words);
         });
@@ -209,16 +218,23 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>
     ui.add_space(6.0);
     ui.weak(state.verb.meaning());
     if let Some(light) = shown.and_then(|shown| shown.example_of.as_ref()) {
-        ui.weak(format!(
-            "This is an example, drawn from {light}. Open your files, and choose them here."
+        ui.weak(tr!(
+            "This is an example, drawn from {light}. Open your files, and choose them here.",
+            light
         ));
     }
     if state.verb.slots().is_empty() {
         let left_out = shown.map_or(&[][..], |shown| &shown.left_out);
-        marks(ui, context.app, names::SCANS, &mut state.scans, left_out);
+        marks(
+            ui,
+            context.app,
+            said(names::SCANS),
+            &mut state.scans,
+            left_out,
+        );
     }
     if state.verb == Verb::Changed {
-        marks(ui, context.app, names::OTHERS, &mut state.others, &[]);
+        marks(ui, context.app, said(names::OTHERS), &mut state.others, &[]);
     }
     if matches!(state.verb, Verb::Corrected | Verb::Learnt) {
         instruments(ui, &mut state);
@@ -236,15 +252,15 @@ fn slot_row(
     let entry = key.and_then(|key| context.app.entry(key));
     let says = entry
         .as_ref()
-        .map_or("choose a spectrum", |entry| entry.name());
+        .map_or(said!("choose a spectrum"), |entry| entry.name());
     let chooser = Chooser {
-        name: slot.name,
-        meaning: slot.meaning,
+        name: said(slot.name),
+        meaning: said(slot.meaning),
         says,
         offers: is_measurement,
         width,
     };
-    form.row((slot.name, slot.meaning), |ui, _| {
+    form.row((said(slot.name), said(slot.meaning)), |ui, _| {
         chooser.show(ui, context.app)
     })
 }
@@ -259,8 +275,8 @@ pub(in crate::ui) fn is_measurement(entry: &Entry) -> bool {
 fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     let verb = state.verb;
     if verb == Verb::Unslit {
-        form.rest(|ui| ui.checkbox(&mut state.is_told, names::TOLD))
-            .on_hover_text("Else two of the light's own atomic lines tell it.");
+        form.rest(|ui| ui.checkbox(&mut state.is_told, said(names::TOLD)))
+            .on_hover_text(said!("Else two of the light's own atomic lines tell it."));
     }
     if verb == Verb::Slit || verb == Verb::Unslit && state.is_told {
         let knob = CombineState::WIDTH;
@@ -272,13 +288,13 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     if matches!(verb, Verb::Slit | Verb::Unslit) {
         let shapes = [Kernel::Gauss, Kernel::Triangle];
         let words = |shape| match shape {
-            Kernel::Gauss => ("Gaussian", ""),
-            Kernel::Triangle => ("triangle", ""),
+            Kernel::Gauss => (said!("Gaussian"), ""),
+            Kernel::Triangle => (said!("triangle"), ""),
         };
-        let meaning = "How the slit weighs wavelengths.";
+        let meaning = said!("How the slit weighs wavelengths.");
         picked(
             form,
-            [names::SHAPE, meaning],
+            [said(names::SHAPE), meaning],
             width,
             &mut state.shape,
             shapes,
@@ -293,15 +309,15 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
             Some(Normalise::Peak),
         ];
         let words = |by| match by {
-            None => ("their own", ""),
-            Some(Normalise::Y) => ("equal Y", ""),
-            Some(Normalise::Area) => ("equal area", ""),
-            Some(_) => ("equal peak", ""),
+            None => (said!("their own"), ""),
+            Some(Normalise::Y) => (said!("equal Y"), ""),
+            Some(Normalise::Area) => (said!("equal area"), ""),
+            Some(_) => (said!("equal peak"), ""),
         };
-        let meaning = "Lights without a common scale are brought to one first.";
+        let meaning = said!("Lights without a common scale are brought to one first.");
         picked(
             form,
-            [names::SCALE, meaning],
+            [said(names::SCALE), meaning],
             width,
             &mut state.equal,
             scales,
@@ -309,30 +325,32 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
         );
     }
     if matches!(verb, Verb::Quotient | Verb::QuotientLessDark) {
-        form.rest(|ui| ui.checkbox(&mut state.of_surface, names::SURFACE))
-            .on_hover_text("The quotient is a reflectance; else a transmittance.");
+        form.rest(|ui| ui.checkbox(&mut state.of_surface, said(names::SURFACE)))
+            .on_hover_text(said!(
+                "The quotient is a reflectance; else a transmittance."
+            ));
     }
     let keeps = match verb {
         Verb::Quotient | Verb::QuotientLessDark | Verb::Absorbance => {
-            "Also where the reference is in the dark, where a quotient means little."
+            said!("Also where the reference is in the dark, where a quotient means little.")
         }
-        Verb::Mean | Verb::Changed => "Also scans that do not belong to the others.",
+        Verb::Mean | Verb::Changed => said!("Also scans that do not belong to the others."),
         _ => return,
     };
-    form.rest(|ui| ui.checkbox(&mut state.keep_all, names::KEEP_ALL))
+    form.rest(|ui| ui.checkbox(&mut state.keep_all, said(names::KEEP_ALL)))
         .on_hover_text(keeps);
 }
 
 /// The light that an instrument is learnt from.
 fn known_light(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     let words = |is_daylight| match is_daylight {
-        true => ("daylight", ""),
-        false => ("black body", "A bulb, or a furnace."),
+        true => (said!("daylight"), ""),
+        false => (said!("black body"), said!("A bulb, or a furnace.")),
     };
-    let meaning = "The light that was read.";
+    let meaning = said!("The light that was read.");
     picked(
         form,
-        [names::KNOWN, meaning],
+        [said(names::KNOWN), meaning],
         width,
         &mut state.is_daylight,
         [false, true],
@@ -386,16 +404,16 @@ fn marks(
     ui.horizontal(|ui| {
         ui.label(RichText::new(title).strong());
         if !own_keys.is_empty() {
-            if pressed_small(ui, "All", "Marks all of your own.") {
+            if pressed_small(ui, said!("All"), said!("Marks all of your own.")) {
                 *keys = own_keys;
             }
-            if pressed_small(ui, "None", "Marks none.") {
+            if pressed_small(ui, said!("None"), said!("Marks none.")) {
                 keys.clear();
             }
         }
     });
     if all.is_empty() {
-        ui.weak("Files that you open are listed here.");
+        ui.weak(said!("Files that you open are listed here."));
     }
     for entry in all {
         let mut is_marked = keys.contains(&entry.key);

@@ -22,29 +22,31 @@ const COLUMN: [f32; 2] = [480.0, 720.0];
 
 fn explained(ui: &mut Ui, word: &Word) {
     let strong = ui.visuals().strong_text_color();
-    ui.label(RichText::new(word.word).color(strong));
-    ui.add(Label::new(word.means).wrap());
+    ui.label(RichText::new(word.word()).color(strong));
+    ui.add(Label::new(word.means()).wrap());
     ui.add_space(6.0);
 }
 
 impl GlossaryView {
     pub(super) fn show(&mut self, ui: &mut Ui, theme: Theme) {
         let count = WORDS.len();
-        let words = format!("{count} words of this window, in plain sentences.");
+        let words = tr!("{n} words of this window, in plain sentences."
+            | "{n} words of this window, in plain sentences." % count);
         headline(ui, theme, words);
-        let words = ["Search the glossary", "Search words"];
+        let words = [said!("Search the glossary"), said!("Search words")];
         let width = ui.available_width().min(260.0);
         text_field(ui, &mut self.search, words, width);
         let wanted = self.search.trim().to_lowercase();
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);
         rolled(ui, |ui| {
-            let found: Vec<&Word> = WORDS
+            let mut found: Vec<&Word> = WORDS
                 .iter()
-                .filter(|w| fits(w.word) || fits(w.means))
+                .filter(|w| fits(w.word()) || fits(w.means()))
                 .collect();
+            found.sort_by_key(|word| word.word().to_lowercase());
             if found.is_empty() {
-                ui.weak("No word has that in it.");
+                ui.weak(said!("No word has that in it."));
                 return;
             }
             let [least, most] = COLUMN.map(|width| width * theme.scale);

@@ -50,7 +50,7 @@ impl KnownLampsView {
         let Some((of, found)) = answer else {
             controls(ui, context);
             let job = context.studies.of::<EncodeAsk>();
-            progress(ui, job, "The makeup of the light");
+            progress(ui, job, said!("The makeup of the light"));
             return;
         };
         match &*found {
@@ -94,23 +94,25 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     let most = most_numbers(context.app.document().settings.band);
     let memory = &mut context.pages.known_lamps;
     ui.horizontal_wrapped(|ui| {
-        ui.label("Numbers");
+        ui.label(said!("Numbers"));
         let slider = ui
             .add(egui::Slider::new(&mut memory.numbers, NUMBERS[0]..=most))
-            .on_hover_text("The most words of 32 bits that the light may take.");
-        named(&slider, egui::Role::Slider, "Numbers for the light");
+            .on_hover_text(said!("The most words of 32 bits that the light may take."));
+        named(&slider, egui::Role::Slider, said!("Numbers for the light"));
         ui.separator();
         let mut known = !memory.portable;
-        ui.toggle_value(&mut known, "Known lamps").on_hover_text(
-            "Lets the light be made of lamps of the program's list: the words then need that list. \
-             Off: a short series and lines, which anybody can decode.",
-        );
+        ui.toggle_value(&mut known, said!("Known lamps"))
+            .on_hover_text(said!(
+                "Lets the light be made of lamps of the program's list: the words then need that \
+                 list. Off: a short series and lines, which anybody can decode."
+            ));
         memory.portable = !known;
         ui.add_enabled_ui(known, |ui| {
-            ui.toggle_value(&mut memory.itself, "Itself too").on_hover_text(
-                "A lamp of the list may be itself. Off: it is made of others, as a lamp that the \
-                 program has never seen would be.",
-            );
+            ui.toggle_value(&mut memory.itself, said!("Itself too"))
+                .on_hover_text(said!(
+                    "A lamp of the list may be itself. Off: it is made of others, as a lamp that \
+                     the program has never seen would be."
+                ));
         });
     });
 }
@@ -124,7 +126,11 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
         context,
         |ui, _| {
             let columns = [
-                Column::words("off by", "Judged by what took no part in the choice.", 1.6),
+                Column::words(
+                    said!("off by"),
+                    said!("Judged by what took no part in the choice."),
+                    1.6,
+                ),
                 Column::numbers("", "", 1.0),
             ];
             let rows: Vec<Row> = words
@@ -141,10 +147,11 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
         },
         |ui, _| {
             ui.horizontal(|ui| {
-                ui.label(RichText::new("The words").strong());
-                let meaning =
-                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.";
-                if pressed_small(ui, "Copy words", meaning) {
+                ui.label(RichText::new(said!("The words")).strong());
+                let meaning = said!(
+                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again."
+                );
+                if pressed_small(ui, said!("Copy words"), meaning) {
                     ui.ctx().copy_text(words.words.clone());
                 }
             });
@@ -152,7 +159,7 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
             if !words.lines.is_empty() {
                 ui.add(Label::new(RichText::new(&words.lines).small()).wrap());
             }
-            fold(ui, "words", "In hexadecimal", |ui| {
+            fold(ui, "words", said!("In hexadecimal"), |ui| {
                 let text = RichText::new(&words.words).monospace().small();
                 ui.add(Label::new(text).wrap());
             });

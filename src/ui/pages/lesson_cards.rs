@@ -128,25 +128,24 @@ impl Card {
         let visuals = ui.visuals();
         let (minutes, audience) = (lesson.minutes, lesson.audience_words());
         let sign = match (marks.finished, marks.first) {
-            (true, _) => "✔ finished · ",
-            (false, true) => "Start here · ",
-            (false, false) => "",
+            (true, _) => Some(said!("✔ finished")),
+            (false, true) => Some(said!("Start here")),
+            (false, false) => None,
         };
         let ink = match marks.first && !marks.finished {
             true => theme.accent,
             false => visuals.weak_text_color(),
         };
+        let minutes = tr!("{n} minutes" | "{n} minutes" % minutes);
+        let small: Vec<&str> = sign.into_iter().chain([&*minutes, &*audience]).collect();
+        let small = small.join(" · ");
         let title = format!("{}. {}", marks.number, lesson.title);
         let [strong, plain] = [visuals.strong_text_color(), visuals.text_color()];
         let mut card = Self {
             title: lay(title, egui::TextStyle::Heading, strong),
             sentence: lay(lesson.sentence.clone(), egui::TextStyle::Body, plain),
-            small: lay(
-                format!("{sign}{minutes} minutes · {audience}"),
-                egui::TextStyle::Small,
-                ink,
-            ),
-            name: format!("Lesson: {}", lesson.title),
+            small: lay(small, egui::TextStyle::Small, ink),
+            name: tr!("Lesson: {title}", title = lesson.title),
             size: vec2(width, 0.0),
         };
         let lines = card.lines().map(|line| line.size().y + LINE_GAP);

@@ -17,6 +17,7 @@ use crate::{
         ByAddress, Memo,
         lessons::{Fault, Lesson, shelf},
     },
+    languages::said,
     ui::{
         kit::{framed, headline, named, pressed, scrolled, segments, warning},
         theme::Theme,
@@ -62,7 +63,7 @@ type InLanguage = (String, Vec<ByAddress<Lesson>>);
 const CARD: f32 = 410.0;
 
 /// The path of a person's own lessons.
-const OWN: &str = "Your own";
+const OWN: &str = later!("Your own");
 
 /// A click on the list.
 enum Act {
@@ -74,16 +75,24 @@ enum Act {
 
 /// A button in the corner of a card that takes it off the list; whether it was clicked.
 fn removes(ui: &mut Ui, card: egui::Rect, title: &str) -> bool {
-    let size = vec2(64.0, ui.spacing().interact_size.y);
+    let words = said!("Remove");
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let wide = ui
+        .painter()
+        .layout_no_wrap(words.to_owned(), font, egui::Color32::WHITE)
+        .size()
+        .x;
+    let wide = wide + 2.0 * ui.spacing().button_padding.x;
+    let size = vec2(wide.max(64.0), ui.spacing().interact_size.y);
     let place = egui::Rect::from_min_size(card.max - size - vec2(4.0, 4.0), size);
     let mut corner = ui.new_child(egui::UiBuilder::new().max_rect(place));
-    let button = corner.add(egui::Button::new("Remove").small());
+    let button = corner.add(egui::Button::new(words).small());
     named(
         &button,
         egui::Role::Button,
-        &format!("Remove the lesson {title}"),
+        &tr!("Remove the lesson {title}", title),
     );
-    let meaning = "Takes it off the list. Its file stays in the folder, as .json.removed.";
+    let meaning = said!("Takes it off the list. Its file stays in the folder, as .json.removed.");
     button.on_hover_text(meaning).clicked()
 }
 
@@ -132,13 +141,15 @@ impl LessonsView {
         let done = context.finished;
         let finished = all.iter().filter(|l| done.contains(&l.name)).count();
         let words = match finished {
-            0 => format!(
-                "{} short lessons on live data: predict, do it, see why. Click one to begin.",
-                all.len()
+            0 => tr!(
+                "{n} short lessons on live data: predict, do it, see why. Click one to begin."
+                    | "{n} short lessons on live data: predict, do it, see why. Click one to begin."
+                        % all.len()
             ),
-            count => format!(
-                "{count} of {} lessons finished. Click one to begin.",
-                all.len()
+            count => tr!(
+                "{count} of {all} lessons finished. Click one to begin.",
+                count,
+                all = all.len()
             ),
         };
         headline(ui, context.theme, words);
@@ -153,7 +164,7 @@ impl LessonsView {
                 if lessons.is_empty() || chosen > 0 && chosen != place + 1 {
                     continue;
                 }
-                ui.label(RichText::new(*title).color(ui.visuals().strong_text_color()));
+                ui.label(RichText::new(said(title)).color(ui.visuals().strong_text_color()));
                 let is_own = place == shelf::PATHS.len();
                 match self.cards(ui, context, lessons, is_own) {
                     Some(Act::Begin(name)) => asked = Some(name),
@@ -193,8 +204,11 @@ impl LessonsView {
             let count = shelf::PATHS.len() + usize::from(!self.own.is_empty());
             self.path = self.path.min(count);
             let title = |path: usize| match path.checked_sub(1) {
-                None => ("All", "All lessons, path after path."),
-                Some(path) => (shelf::PATHS.get(path).map_or(OWN, |(title, _)| *title), ""),
+                None => (said!("All"), said!("All lessons, path after path.")),
+                Some(path) => {
+                    let title = shelf::PATHS.get(path).map_or(OWN, |(title, _)| *title);
+                    (said(title), "")
+                }
             };
             segments(ui, &mut self.path, 0..=count, title);
             let codes = all.iter().flat_map(|lesson| lesson.texts.keys());
@@ -203,7 +217,7 @@ impl LessonsView {
             codes.dedup();
             let language = &mut *context.language;
             if codes.len() > 1 {
-                ui.label("Language");
+                ui.label(said!("Language"));
                 for code in codes {
                     let is_chosen = code == language;
                     if ui.selectable_label(is_chosen, code).clicked() {
@@ -269,8 +283,12 @@ impl LessonsView {
                 self.note = why;
                 return;
             }
-            Some(Ok(away)) => format!("{} was removed; its file is now {away}.", lesson.title),
-            None => format!("{} was removed.", lesson.title),
+            Some(Ok(away)) => tr!(
+                "{title} was removed; its file is now {away}.",
+                title = lesson.title,
+                away
+            ),
+            None => tr!("{title} was removed.", title = lesson.title),
         };
         self.own.retain(|one| one.name != lesson.name);
     }
@@ -284,9 +302,11 @@ impl LessonsView {
             ui.add(Label::new(&self.note).wrap());
         }
         let mut words =
-            "A lesson of your own: drop its file on the window, or choose it with Open.".to_owned();
+            said!("A lesson of your own: drop its file on the window, or choose it with Open.")
+                .to_owned();
         if let Some(folder) = &self.folder {
-            words += &format!(" It is kept in {}.", folder.display());
+            words += " ";
+            words += &tr!("It is kept in {folder}.", folder = folder.display());
         }
         ui.add(Label::new(RichText::new(words).weak()).wrap());
     }
@@ -295,9 +315,11 @@ impl LessonsView {
     pub fn teachers(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let all = self.all("");
         let minutes: u32 = all.iter().map(|lesson| lesson.minutes).sum();
-        let words = format!(
-            "{} lessons, {minutes} minutes in all. Choose one to see what it teaches and needs.",
-            all.len()
+        let words = tr!(
+            "{lessons} lessons, {minutes} minutes in all. Choose one to see what it teaches and \
+             needs.",
+            lessons = all.len(),
+            minutes
         );
         headline(ui, context.theme, words);
         ui.add_space(6.0);
@@ -350,34 +372,36 @@ fn of_teachers(
     framed(ui, |ui| {
         ui.label(RichText::new(&lesson.title).color(strong).heading());
         let (minutes, steps) = (lesson.minutes, lesson.steps.len());
-        ui.weak(format!(
-            "{minutes} minutes, {steps} steps, for {}",
-            lesson.audience_words()
+        ui.weak(tr!(
+            "{minutes} minutes, {steps} steps, for {audience}",
+            minutes,
+            steps,
+            audience = lesson.audience_words()
         ));
         ui.add_space(6.0);
-        said(ui, "After this lesson pupils can", &lesson.teaches);
-        said(ui, "One sentence to remember", &lesson.remember);
+        said(ui, said!("After this lesson pupils can"), &lesson.teaches);
+        said(ui, said!("One sentence to remember"), &lesson.remember);
         said(
             ui,
-            "To prepare, and to watch for",
+            said!("To prepare, and to watch for"),
             &lesson.notes_for_teachers,
         );
-        said(ui, "Sources", &lesson.sources.join("; "));
+        said(ui, said!("Sources"), &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
-            if pressed(ui, "Begin", "Begins this lesson.") {
+            if pressed(ui, said!("Begin"), said!("Begins this lesson.")) {
                 context.wishes.push(PageWish::Begin(lesson.name.clone()));
             }
-            let pupil = ui.button("Pupil's sheet").on_hover_text(
-                "Saves a PDF to print: words, questions with boxes, axes to sketch on, no answers.",
-            );
-            let teacher = ui.button("Teacher's sheet").on_hover_text(
+            let pupil = ui.button(said!("Pupil's sheet")).on_hover_text(said!(
+                "Saves a PDF to print: words, questions with boxes, axes to sketch on, no answers."
+            ));
+            let teacher = ui.button(said!("Teacher's sheet")).on_hover_text(said!(
                 "Saves a PDF with the page of every step, the answers with their reasons, notes \
-                 and sources.",
-            );
-            let start = ui.button("Copy as a start").on_hover_text(
+                 and sources."
+            ));
+            let start = ui.button(said!("Copy as a start")).on_hover_text(said!(
                 "Saves the lesson's own file under another name: change it, and drop it on this \
-                 window.",
-            );
+                 window."
+            ));
             copy = pupil.clicked().then_some(LessonFile::Pupil);
             copy = teacher.clicked().then_some(LessonFile::Teacher).or(copy);
             copy = start.clicked().then_some(LessonFile::Start).or(copy);
@@ -389,11 +413,13 @@ fn of_teachers(
     ui.add_space(6.0);
     said(
         ui,
-        "To write one",
-        "A lesson is one file of JSON: steps with what is said, what is set, what is asked and \
-         what is to be done. docs/lessons.md builds one from nothing. The command \"lessons \
-         check FILE\" plays it and says what is wrong, with the step; then drop the file on \
-         this window.",
+        said!("To write one"),
+        said!(
+            "A lesson is one file of JSON: steps with what is said, what is set, what is asked and \
+             what is to be done. docs/lessons.md builds one from nothing. The command \"lessons \
+             check FILE\" plays it and says what is wrong, with the step; then drop the file on \
+             this window."
+        ),
     );
     copy
 }

@@ -16,17 +16,17 @@ use crate::{
         pages::{FieldChoice, ManyMemory},
         studies::{ManyAsk, Stage},
     },
-    io::many::many,
+    languages::said,
     study::{ManyLights, Measure},
     ui::kit::{self, Choice, Column, Row, form, headline, knob, number, scrolled, titled},
 };
 
 /// Names of controls, shared with the tests that move them.
 pub(super) mod names {
-    pub(crate) const LIGHTS: &str = "Lights that are looked at";
-    pub(crate) const SHARE: &str = "Share of the lights";
-    pub(crate) const LIMIT: &str = "Limit";
-    pub(crate) const COPY: &str = "Copy all lights as CSV";
+    pub(crate) const LIGHTS: &str = later!("Lights that are looked at");
+    pub(crate) const SHARE: &str = later!("Share of the lights");
+    pub(crate) const LIMIT: &str = later!("Limit");
+    pub(crate) const COPY: &str = later!("Copy all lights as CSV");
 }
 
 /// From this width on the table stands beside the chart, points.
@@ -67,14 +67,16 @@ impl ManyView {
         let answer = answer.map(|(of, many)| (of.clone(), many.clone()));
         let Some((of, many)) = answer else {
             let words = match nobody {
-                true => "There are no lights of your own: open a folder of them, or drop it here.",
-                false => "How many numbers do most of these lights need?",
+                true => said!(
+                    "There are no lights of your own: open a folder of them, or drop it here."
+                ),
+                false => said!("How many numbers do most of these lights need?"),
             };
             headline(ui, context.theme, words);
             controls(ui, context);
             if !nobody {
                 let job = context.studies.of::<ManyAsk>();
-                progress(ui, job, "Error against waves");
+                progress(ui, job, said!("Error against waves"));
             }
             return;
         };
@@ -87,10 +89,13 @@ impl ManyView {
         controls(ui, context);
         let job = context.studies.of::<ManyAsk>();
         if job.stage() != Stage::Done {
-            progress(ui, job, "Error against waves");
+            progress(ui, job, said!("Error against waves"));
         }
         if many.dark > 0 {
-            ui.weak(format!("{} dark in this range, left out.", many.dark));
+            ui.weak(tr!(
+                "{dark} dark in this range, left out.",
+                dark = many.dark
+            ));
         }
         let room = ui.available_size();
         let scale = context.theme.scale;
@@ -133,34 +138,49 @@ impl Shown {
 /// The light as it is read out, and its class.
 fn names_of(class: &str, cells: &[String]) -> [String; 2] {
     let [name, order, lines, numbers, now] = [0, 1, 2, 3, 4].map(|i| &cells[i]);
-    let are = if lines == "1" { "line" } else { "lines" };
-    [
-        format!("{name}: {order} waves, {lines} {are}, {numbers} numbers, now {now}"),
-        format!("Listed under {class}."),
-    ]
+    let words = match lines.as_str() {
+        "1" => tr!(
+            "{name}: {waves} waves, {lines} line, {numbers} numbers, now {now}",
+            name,
+            waves = order,
+            lines,
+            numbers,
+            now
+        ),
+        _ => tr!(
+            "{name}: {waves} waves, {lines} lines, {numbers} numbers, now {now}",
+            name,
+            waves = order,
+            lines,
+            numbers,
+            now
+        ),
+    };
+    [words, tr!("Listed under {class}.", class)]
 }
 
 /// Which lights, how good, for how many.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     form(ui, "many lights", |form| {
         let mut field = context.pages.many.field;
-        let meaning = "Shipped lights, or your own: all lights of the files and folders that you \
-                       opened.";
-        form.row(("Lights", meaning), |ui, _| {
-            field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
+        let meaning = said!(
+            "Shipped lights, or your own: all lights of the files and folders that you opened."
+        );
+        form.row((said!("Lights"), meaning), |ui, _| {
+            field_choice(ui, context, (said(names::LIGHTS), meaning), &mut field);
             let settings = context.app.document().settings;
             let way = Wanted::of(settings, &context.pages.many).way;
-            ui.weak(format!("{}, as in the model.", way.title()))
-                .on_hover_text(
-                    "Basis, fit, lines and range are the document's; change them there.",
-                );
+            ui.weak(tr!("{way}, as in the model.", way = way.title()))
+                .on_hover_text(said!(
+                    "Basis, fit, lines and range are the document's; change them there."
+                ));
         });
         let memory = &mut context.pages.many;
         memory.field = field;
-        form.row(("Good enough", ""), |ui, _| {
+        form.row((said!("Good enough"), ""), |ui, _| {
             let figure = memory.measure.figure();
             let choice = Choice {
-                name: "Figure with a limit",
+                name: said!("Figure with a limit"),
                 meaning: figure.meaning,
                 width: 140.0,
             };
@@ -170,18 +190,19 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             if before.is_colour() != memory.measure.is_colour() {
                 memory.limit = ManyMemory::usual_limit(memory.measure);
             }
-            ui.label("at most");
+            ui.label(said!("at most"));
             let tail = memory.measure.figure().unit.tail;
             let limit = knob::drag(&ManyMemory::LIMIT, memory)
                 .speed(0.02)
                 .suffix(tail);
-            number(ui, limit, names::LIMIT)
-                .on_hover_text("Largest value of the figure that is good enough.");
-            ui.label("for");
+            number(ui, limit, said(names::LIMIT))
+                .on_hover_text(said!("Largest value of the figure that is good enough."));
+            ui.label(tr!("for a share of the lights" => "for"));
             let share = knob::drag(&ManyMemory::SHARE, memory).speed(0.2);
-            number(ui, share, names::SHARE)
-                .on_hover_text("Share of the lights for which the waves must be enough.");
-            ui.label("of them");
+            number(ui, share, said(names::SHARE)).on_hover_text(said!(
+                "Share of the lights for which the waves must be enough."
+            ));
+            ui.label(said!("of them"));
         });
     });
     ui.add_space(2.0);
@@ -190,16 +211,20 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
 /// The lights with what each of them needs; a click takes a light.
 fn lights(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown) {
     let app = context.app;
-    let meaning = "Copies every light with the waves that it needs as a table.";
-    titled(ui, "Needs of each light", names::COPY, meaning, || {
-        shown.table.csv()
-    });
+    let meaning = said!("Copies every light with the waves that it needs as a table.");
+    titled(
+        ui,
+        said!("Needs of each light"),
+        said(names::COPY),
+        meaning,
+        || shown.table.csv(),
+    );
     if let Some(order) = shown.order {
         let settings = app.document().settings;
-        let words = format!("Take {}", many(order, "wave", "waves"));
+        let words = tr!("Take {n} wave" | "Take {n} waves" % order);
         let button = ui.add_enabled(settings.order != order, egui::Button::new(words));
         if button
-            .on_disabled_hover_text("The model has so many waves.")
+            .on_disabled_hover_text(said!("The model has so many waves."))
             .clicked()
         {
             context

@@ -335,33 +335,35 @@ pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
                         .show_percentage(),
                 );
                 named(&bar, egui::Role::ProgressIndicator, what);
-                let meaning = "Stops it; the last result stays.";
-                if pressed_small(ui, "Cancel", meaning) {
+                let meaning = said!("Stops it; the last result stays.");
+                if pressed_small(ui, said!("Cancel"), meaning) {
                     job.cancel();
                 }
                 ui.weak(if job.result().is_some() {
-                    format!("Computing: {name}. The last result stays until then.")
+                    tr!("Computing: {name}. The last result stays until then.", name)
                 } else {
-                    format!("Computing: {name}.")
+                    tr!("Computing: {name}.", name)
                 });
             });
         }
         Stage::Cancelled => {
             ui.horizontal(|ui| {
-                ui.weak(format!("Cancelled: {name}."));
-                if ui.small_button("Compute").clicked() {
+                ui.weak(tr!("Cancelled: {name}.", name));
+                if ui.small_button(said!("Compute")).clicked() {
                     job.retry();
                 }
             });
         }
         Stage::Broken => {
-            ui.weak(format!(
-                "{what} broke down: a fault of this program, told on its standard error."
+            ui.weak(tr!(
+                "{what} broke down: a fault of this program, told on its standard error.",
+                what
             ));
         }
         Stage::Impossible => {
-            ui.weak(format!(
-                "{what}: there is nothing to measure on this spectrum and range."
+            ui.weak(tr!(
+                "{what}: there is nothing to measure on this spectrum and range.",
+                what
             ));
         }
     }

@@ -126,9 +126,9 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
     let mut leaves = false;
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
         let back = ui.add(Button::new("✕").frame(false));
-        named(&back, egui::Role::Button, "Whole window");
+        named(&back, egui::Role::Button, said!("Whole window"));
         leaves = back
-            .on_hover_text("Back to the whole window (Esc).")
+            .on_hover_text(said!("Back to the whole window (Esc)."))
             .clicked();
         let size = vec2(ui.available_width(), 0.0);
         ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {

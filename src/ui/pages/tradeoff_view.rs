@@ -21,6 +21,7 @@ use crate::{
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
+    languages::said,
     spectrum::Basis,
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
@@ -31,8 +32,8 @@ use crate::{
 
 /// Names of controls.
 mod names {
-    pub(super) const EVERY_WAY: &str = "Every way";
-    pub(super) const MAP: &str = "By waves and lines";
+    pub(super) const EVERY_WAY: &str = later!("Every way");
+    pub(super) const MAP: &str = later!("By waves and lines");
 }
 
 /// Height of a fold below the page, points.
@@ -76,7 +77,7 @@ impl TradeoffView {
         let answer = job.answer().filter(|_| job.stage() != Stage::Impossible);
         let answer = answer.map(|(key, sweep)| (key.clone(), sweep.clone()));
         let Some((key, sweep)) = answer else {
-            progress(ui, job, "Error against numbers");
+            progress(ui, job, said!("Error against numbers"));
             return controls(ui, context, measure);
         };
         // A model of another spectrum is none for this one.
@@ -102,10 +103,13 @@ impl TradeoffView {
         line(ui, |ui| {
             let job = context.studies.of::<SweepAsk>();
             if job.stage() == Stage::Done {
-                let words = format!("{} Click a point or a row to take its model.", sheet.models);
+                let words = tr!(
+                    "{models} Click a point or a row to take its model.",
+                    models = sheet.models
+                );
                 ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate());
             } else {
-                progress(ui, job, "Error against numbers");
+                progress(ui, job, said!("Error against numbers"));
             }
         });
         controls(ui, context, measure);
@@ -131,17 +135,21 @@ pub(in crate::ui) fn choose(
 /// Which figure, and which ways have a curve.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
-        ui.label("Error");
+        ui.label(said!("Error"));
         for one in Measure::COMPARED {
             if choose(ui, context.app, (one, one.figure().title), measure == one) {
                 context.pages.tradeoff.measure = one;
             }
         }
         ui.separator();
-        let meaning = "A curve for every basis and fit, with lines and without; else the lowest \
-                       error of all.";
-        ui.checkbox(&mut context.pages.tradeoff.every_way, names::EVERY_WAY)
-            .on_hover_text(meaning);
+        let meaning = said!(
+            "A curve for every basis and fit, with lines and without; else the lowest error of all."
+        );
+        ui.checkbox(
+            &mut context.pages.tradeoff.every_way,
+            said(names::EVERY_WAY),
+        )
+        .on_hover_text(meaning);
     });
     let state = &mut context.pages.tradeoff;
     if state.every_way {
@@ -155,17 +163,23 @@ fn ways(ui: &mut Ui, ways: &mut WaysShown) {
         ui.checkbox(shown, name).on_hover_text(meaning);
     };
     for basis in Basis::ALL {
-        show(ui, &mut ways.bases[basis], basis.name(), basis.meaning());
+        let (name, meaning) = (said(basis.name()), said(basis.meaning()));
+        show(ui, &mut ways.bases[basis], name, meaning);
     }
     ui.separator();
-    let meaning = "Every line above the threshold, two numbers each: drawn through.";
-    show(ui, &mut ways.with_spikes, "lines", meaning);
-    let meaning = "Waves only: drawn in dashes.";
-    show(ui, &mut ways.without_spikes, "no lines", meaning);
+    let meaning = said!("Every line above the threshold, two numbers each: drawn through.");
+    show(ui, &mut ways.with_spikes, said!("lines"), meaning);
+    let meaning = said!("Waves only: drawn in dashes.");
+    show(ui, &mut ways.without_spikes, said!("no lines"), meaning);
     ui.separator();
-    show(ui, &mut ways.plain, "plain", "Plain least squares.");
-    let meaning = "Least squares under the condition that X, Y and Z are exact.";
-    show(ui, &mut ways.colour_exact, "colour-exact", meaning);
+    show(
+        ui,
+        &mut ways.plain,
+        said!("plain"),
+        said!("Plain least squares."),
+    );
+    let meaning = said!("Least squares under the condition that X, Y and Z are exact.");
+    show(ui, &mut ways.colour_exact, said!("colour-exact"), meaning);
 }
 
 impl Sheet {
@@ -193,14 +207,22 @@ impl Sheet {
 
 fn columns(figures: &[Measure]) -> Vec<Column> {
     let mut columns = vec![
-        Column::numbers("numbers", "2N + 1 for N waves, two for each line.", 1.2),
+        Column::numbers(
+            said!("numbers"),
+            said!("2N + 1 for N waves, two for each line."),
+            1.2,
+        ),
         Column::words(
-            "way",
-            "Basis, fit (exact: colour-exact), with or without lines.",
+            said!("way"),
+            said!("Basis, fit (exact: colour-exact), with or without lines."),
             3.0,
         ),
-        Column::numbers("waves", "Waves of the smooth part.", 0.9),
-        Column::numbers("lines", "Lines kept as a place and a weight.", 1.0),
+        Column::numbers(said!("waves"), said!("Waves of the smooth part."), 0.9),
+        Column::numbers(
+            said!("lines"),
+            said!("Lines kept as a place and a weight."),
+            1.0,
+        ),
     ];
     columns.extend(figures.iter().map(|measure| {
         let figure = measure.figure();
@@ -231,7 +253,10 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
             figure.unit.sign,
             told(&measure)
         ),
-        note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
+        note: tr!(
+            "{figures}\nClick to take this model.",
+            figures = all_figures(&point.verdict)
+        ),
         ..Row::default()
     }
 }
@@ -256,7 +281,7 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
             ui.add_space(6.0);
             front_table(ui, context, sheet, fresh);
         }
-        fold(ui, "trade-off map", names::MAP, |ui| {
+        fold(ui, "trade-off map", said(names::MAP), |ui| {
             let height = (0.6 * room.y).clamp(210.0 * scale, 460.0 * scale);
             let size = vec2(ui.available_width(), height);
             against_threshold(ui, context, sheet, size, fresh);
@@ -307,7 +332,7 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
         front.map(|index| &sheet.sweep.points[*index])
     };
     let figure = sheet.measure.figure().title;
-    ui.strong(format!("Lowest error for that many numbers: {figure}"));
+    ui.strong(tr!("Lowest error for that many numbers: {figure}", figure));
     let chosen = points().position(|point| is_now(context.app, take(settings, point)));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
     let (columns, rows) = &sheet.tables[usize::from(few)];

@@ -14,7 +14,8 @@ use crate::{
         studies::paper::{Claims, Row, Verdict, copied_table, truth_table},
         ticks::short,
     },
-    spectrum::Sampling,
+    languages::{fixed, said},
+    spectrum::{Basis, Sampling},
     ui::kit::{GROUP, framed, headline, pressed, scrolled, sign_button},
 };
 
@@ -28,7 +29,7 @@ const CHART: f32 = 300.0;
 const MOST_SPIKES: usize = 8;
 
 /// The button that copies everything.
-pub const COPY: &str = "Copy as CSV";
+pub const COPY: &str = later!("Copy as CSV");
 
 pub struct TruthView {
     measured: Memo<u64, (Claims, Vec<Row>)>,
@@ -87,18 +88,26 @@ impl TruthView {
 
 fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
     ui.horizontal_wrapped(|ui| {
-        let meaning = "Copies claim, paper, measured and verdict of every card as a table.";
-        if pressed(ui, COPY, meaning) {
+        let meaning = said!("Copies claim, paper, measured and verdict of every card as a table.");
+        if pressed(ui, said(COPY), meaning) {
             ui.ctx().copy_text(copied_table(context.app, claims).csv());
         }
-        ui.weak(format!(
-            "Measured on {}, {}-{} nm, {} basis, N = {}.",
-            claims.subject,
-            short(claims.band.min_nm()),
-            short(claims.band.max_nm()),
-            claims.basis.name(),
-            claims.order,
-        ));
+        ui.weak(match claims.basis {
+            Basis::Fourier => tr!(
+                "Measured on {subject}, {from}-{to} nm, Fourier basis, N = {order}.",
+                subject = claims.subject,
+                from = short(claims.band.min_nm()),
+                to = short(claims.band.max_nm()),
+                order = claims.order
+            ),
+            Basis::Cosine => tr!(
+                "Measured on {subject}, {from}-{to} nm, cosine basis, N = {order}.",
+                subject = claims.subject,
+                from = short(claims.band.min_nm()),
+                to = short(claims.band.max_nm()),
+                order = claims.order
+            ),
+        });
     });
 }
 
@@ -122,9 +131,16 @@ fn claim(
             ui.label(sign.color(colour));
             ui.label(RichText::new(row.claim).strong());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let says = if is_open { "Hide" } else { "Show" };
-                let name = format!("{says} {}", row.claim);
-                let meaning = "The paper's words, and the measurement here.";
+                let says = if is_open {
+                    said!("Hide")
+                } else {
+                    said!("Show")
+                };
+                let name = match is_open {
+                    true => tr!("Hide {claim}", claim = row.claim),
+                    false => tr!("Show {claim}", claim = row.claim),
+                };
+                let meaning = said!("The paper's words, and the measurement here.");
                 if sign_button(ui, says, &name, meaning) {
                     *open = (!is_open).then_some(index);
                 }
@@ -136,10 +152,14 @@ fn claim(
         });
         if is_open {
             ui.add_space(4.0);
-            let paper = format!("Paper ({}): {}", row.place, row.paper);
+            let paper = tr!(
+                "Paper ({place}): {words}",
+                place = row.place,
+                words = row.paper
+            );
             ui.add(egui::Label::new(RichText::new(paper).weak()).wrap());
             if !row.measured.is_empty() {
-                ui.add(egui::Label::new(format!("Here: {}", row.measured)).wrap());
+                ui.add(egui::Label::new(tr!("Here: {measured}", measured = row.measured)).wrap());
             }
             if let Some(picture) = Picture::of(claims, charts, index) {
                 ui.add_space(8.0);
@@ -221,15 +241,24 @@ fn spikes(ui: &mut Ui, claims: &Claims) {
             heads(
                 ui,
                 &[
-                    ("at nm", "The line's wavelength, nm."),
-                    ("measured", "The surface as measured there."),
-                    ("series", "The surface's series, evaluated exactly."),
-                    ("corrected", "Eq. 17 with its two weights exchanged."),
-                    ("as printed", "Eq. 17 with the weights as printed."),
+                    (said!("at nm"), said!("The line's wavelength, nm.")),
+                    (said!("measured"), said!("The surface as measured there.")),
+                    (
+                        said!("series"),
+                        said!("The surface's series, evaluated exactly."),
+                    ),
+                    (
+                        said!("corrected"),
+                        said!("Eq. 17 with its two weights exchanged."),
+                    ),
+                    (
+                        said!("as printed"),
+                        said!("Eq. 17 with the weights as printed."),
+                    ),
                 ],
             );
             for reading in &readings {
-                ui.label(format!("{:.1}", reading.spike.at_nm));
+                ui.label(fixed(reading.spike.at_nm, 1));
                 for value in [
                     reading.measured,
                     reading.series,
@@ -243,7 +272,11 @@ fn spikes(ui: &mut Ui, claims: &Claims) {
         });
     let left = found.readings.len() - readings.len();
     if left > 0 {
-        ui.weak(format!("The {} heaviest; {left} more.", readings.len()));
+        ui.weak(tr!(
+            "The {count} heaviest; {left} more.",
+            count = readings.len(),
+            left
+        ));
     }
 }
 
@@ -259,15 +292,18 @@ fn points(ui: &mut Ui, claims: &Claims) {
             heads(
                 ui,
                 &[
-                    ("points", "Independent points, one multiplication each."),
-                    ("way", "How they are counted."),
                     (
-                        "folded, %",
-                        "Share of the product's power that lands in wrong waves.",
+                        said!("points"),
+                        said!("Independent points, one multiplication each."),
+                    ),
+                    (said!("way"), said!("How they are counted.")),
+                    (
+                        said!("folded, %"),
+                        said!("Share of the product's power that lands in wrong waves."),
                     ),
                     (
                         "ΔE₀₀",
-                        "CIEDE2000 against the exact product of the same two series.",
+                        said!("CIEDE2000 against the exact product of the same two series."),
                     ),
                 ],
             );
@@ -284,11 +320,11 @@ fn points(ui: &mut Ui, claims: &Claims) {
 /// A way of forming a product, short.
 fn way_name(sampling: Sampling) -> &'static str {
     match sampling {
-        Sampling::Paper => "the paper's",
+        Sampling::Paper => said!("the paper's"),
         Sampling::ThreeN => "3N+1",
         Sampling::FourN => "4N+1",
-        Sampling::Double => "twice the numbers",
-        Sampling::Convolution => "convolution, cut to N",
+        Sampling::Double => said!("twice the numbers"),
+        Sampling::Convolution => said!("convolution, cut to N"),
         Sampling::Exact => "1 nm",
     }
 }

@@ -13,10 +13,10 @@ use super::{
 use crate::{
     app::{
         App, Command, Memo, SpikeAct,
-        chart::{Chart, Marks},
-        charts::spectrum::{SPIKES, spectrum_chart},
+        chart::{Chart, Ink, Marks},
+        charts::spectrum::spectrum_chart,
     },
-    io::many::{many, numbers},
+    io::many::numbers,
 };
 
 mod drag;
@@ -113,31 +113,34 @@ impl SpectrumView {
 
 /// The stems of the model's spikes, if they are shown.
 fn stems(chart: &Chart) -> Stems<'_> {
-    let spikes = chart.series.iter().find(|series| series.name == SPIKES);
-    match spikes.map(|series| &series.marks) {
-        Some(Marks::Stems { points, base, .. }) => Stems {
+    let series = chart.series.iter();
+    let mut spikes = series.filter(|series| series.colour == Ink::Spikes);
+    let stems = spikes.find_map(|series| match &series.marks {
+        Marks::Stems { points, base, .. } => Some(Stems {
             tips: points,
             feet: base,
-        },
-        _ => Stems::default(),
-    }
+        }),
+        _ => None,
+    });
+    stems.unwrap_or_default()
 }
 
 /// The plot in words, for those who have it read out.
 fn spoken(app: &App) -> String {
     let derived = app.derived();
-    let nothing = match app.is_measured_in_range() {
-        true => "",
-        false => ", nothing measured in this range",
-    };
     let unit = match app.unit() {
         "" => String::new(),
         unit => format!(", {unit}"),
     };
-    format!(
-        "Spectrum of {}{nothing}: {}, {}{unit}",
-        app.document().subject_entry().name(),
-        numbers(derived.numbers()),
-        many(derived.model.lines().len(), "line", "lines"),
-    )
+    let name = app.document().subject_entry().name();
+    let lines = tr!("{n} line" | "{n} lines" % derived.model.lines().len());
+    let counts = format!("{}, {lines}{unit}", numbers(derived.numbers()));
+    match app.is_measured_in_range() {
+        true => tr!("Spectrum of {name}: {counts}", name, counts),
+        false => tr!(
+            "Spectrum of {name}, nothing measured in this range: {counts}",
+            name,
+            counts
+        ),
+    }
 }

@@ -10,6 +10,7 @@ use super::super::{
 use crate::{
     app::{App, answers::spike_words, spike_under, ticks},
     color::{Srgb, srgb_from_wavelength_over},
+    languages::fixed,
 };
 
 /// How near to a spike's place the pointer must be to be on it, points.
@@ -36,13 +37,15 @@ pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen) {
         |values: &[f64]| ticks::short(app.scale_factor() * derived.band.interpolate(values, nm));
     let samples = &app.document().subject_entry().spectrum.samples;
     let measured = if (samples.first_nm()..=samples.last_nm()).contains(&nm) {
-        format!("measured {}", value(&derived.measured))
+        tr!("measured {value}", value = value(&derived.measured))
     } else {
-        "not measured".to_owned()
+        said!("not measured").to_owned()
     };
-    let mut text = format!(
-        "{nm:.1} nm   {measured}   model {}",
-        value(&derived.model_values()),
+    let mut text = tr!(
+        "{place} nm   {measured}   model {value}",
+        place = fixed(nm, 1),
+        measured,
+        value = value(&derived.model_values())
     );
     // A line is named where a spike stands, and nowhere else.
     let reach = (plot.values(pointer + egui::vec2(SPIKE_REACH, 0.0))[0] - nm).abs();

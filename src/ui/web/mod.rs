@@ -23,6 +23,7 @@ use crate::{
         workspace::{self, Preferences},
     },
     io::disk,
+    languages::{self, Language, said},
 };
 
 /// What the page does for the program.
@@ -110,7 +111,8 @@ pub async fn start(canvas: HtmlCanvasElement) -> Result<(), JsValue> {
 }
 
 /// What is said at a first start.
-const PRIVATE: &str = "This page sends nothing anywhere. What you do stays in this browser.";
+const PRIVATE: &str =
+    later!("This page sends nothing anywhere. What you do stays in this browser.");
 
 struct Shell {
     window: Window,
@@ -120,10 +122,19 @@ impl Shell {
     fn new() -> Self {
         let (mut app, mut preferences) = (App::new(), Preferences::default());
         match kept().map(|text| workspace::from_json(&text)) {
-            None => app.say(Tone::Info, PRIVATE),
+            None => {
+                preferences.speak(Language::of_system());
+                app.say(
+                    Tone::Info,
+                    languages::in_language(preferences.language, || said(PRIVATE)),
+                );
+            }
             Some(Ok(restored)) => (app, preferences, _) = Window::restored(restored),
             Some(Err(why)) => {
-                let words = format!("The last workspace is damaged and given up ({why}).");
+                let words = tr!(
+                    "The last workspace is damaged and given up ({reason}).",
+                    reason = why
+                );
                 app.say(Tone::Problem, words);
             }
         }

@@ -42,7 +42,12 @@ pub(super) fn write() -> Option<String> {
         Ok(text) => keep(&text),
         Err(why) => why.to_string(),
     };
-    (!why.is_empty()).then(|| format!("Workspace not kept in this browser: {why}."))
+    (!why.is_empty()).then(|| {
+        tr!(
+            "Workspace not kept in this browser: {reason}.",
+            reason = why
+        )
+    })
 }
 
 /// Hands the workspace to the browser.

@@ -26,6 +26,7 @@ use crate::app::{
     pages::{AskedLesson, Page, Place},
     workspace::ZOOMS,
 };
+use crate::languages::{Language, in_language};
 
 impl Window {
     /// Opens what a link asks for ([`link`]).
@@ -142,15 +143,18 @@ impl Window {
                 );
                 context.copy_image(image);
                 self.app
-                    .say(Tone::Info, "A picture of the window was copied.");
+                    .say(Tone::Info, said!("A picture of the window was copied."));
             }
             Act::CopyCommand => {
                 let size = context.content_rect().size();
                 let page = self.preferences.page;
                 let size = [size.x as u32, size.y as u32];
-                match command_lines(&self.app, page, size, self.preferences.dark) {
+                let dark = self.preferences.dark;
+                let lines = || command_lines(&self.app, page, size, dark);
+                match in_language(Language::English, lines) {
                     Ok(words) => {
-                        let told = "Copied: the command lines for these numbers and this view.";
+                        let told =
+                            said!("Copied: the command lines for these numbers and this view.");
                         self.app.say(Tone::Info, told);
                         context.copy_text(words);
                     }
@@ -175,6 +179,7 @@ impl Window {
     pub(super) fn fulfil(&mut self, wish: Wish, context: &Context) {
         match wish {
             Wish::Act(act) => self.act(act, context),
+            Wish::Speak(language) => self.preferences.speak(language),
             Wish::Recent(index) => {
                 let path = self.preferences.recent.get(index).cloned();
                 self.open_files(path.into_iter().collect(), waker(context));
@@ -198,7 +203,7 @@ impl Window {
                     Ok(text) => {
                         context.copy_text(text.trim_end().to_owned());
                         self.app
-                            .say(Tone::Info, format!("Copied: {}.", export.title()));
+                            .say(Tone::Info, tr!("Copied: {what}.", what = export.title()));
                     }
                     Err(why) => self.app.say(Tone::Problem, why),
                 }
@@ -207,12 +212,14 @@ impl Window {
                 let address = self.address.clone().unwrap_or_default();
                 let link = link::of_view(&self.app, self.preferences.page);
                 context.copy_text(format!("{address}#{link}"));
-                self.app.say(Tone::Info, "Copied: a link to this view.");
+                self.app
+                    .say(Tone::Info, said!("Copied: a link to this view."));
             }
             Wish::LessonsFolder => {
                 if let Some(folder) = &self.lessons_folder {
                     let path = folder.display().to_string();
-                    self.app.say(Tone::Info, format!("Copied: {path}."));
+                    self.app
+                        .say(Tone::Info, tr!("Copied: {what}.", what = path));
                     context.copy_text(path);
                 }
             }

@@ -25,7 +25,11 @@ impl Window {
             match file.came {
                 Came::Loaded(loaded) => self.take(loaded),
                 Came::NotRead(why) => {
-                    let words = format!("{}: not read, {why}.", file.label);
+                    let words = tr!(
+                        "{file}: not read, {reason}.",
+                        file = file.label,
+                        reason = why
+                    );
                     self.app.say(Tone::Problem, words);
                 }
             }
@@ -123,7 +127,7 @@ impl Window {
             batch_view::Wish::Show(brought) => {
                 self.app.end_gesture();
                 if !self.show_brought(&brought) {
-                    let words = "The spectra of that file are not open any more.";
+                    let words = said!("The spectra of that file are not open any more.");
                     self.app.say(Tone::Info, words);
                 }
             }
@@ -208,7 +212,10 @@ impl Window {
         if let Some(key) = spectrum {
             self.show_brought(&self.brought(key));
         }
-        let words = format!("{} is open already, with the same values.", opened.file);
+        let words = tr!(
+            "{file} is open already, with the same values.",
+            file = opened.file
+        );
         self.app.say(Tone::Info, words);
         true
     }

@@ -52,7 +52,7 @@ impl LessonChecks {
         self.taken = self.asked;
         let found = match self.job.result_for(&self.asked) {
             Some(found) => found.to_vec(),
-            None => vec![Err("The check of a lesson broke down.".to_owned())],
+            None => vec![Err(said!("The check of a lesson broke down.").to_owned())],
         };
         self.go_on(wake);
         found

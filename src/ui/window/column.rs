@@ -14,7 +14,10 @@ use super::{
     Window,
     panels::{COLUMN, Shape, fixed, in_its_size, plain},
 };
-use crate::app::{App, Command, Pair, SpikeAct, Tone, answers};
+use crate::{
+    app::{App, Command, Pair, SpikeAct, Tone, answers},
+    languages::said,
+};
 
 /// Width of the edge that the column folds to.
 const EDGE: f32 = 24.0;
@@ -116,7 +119,7 @@ impl Window {
                     let left = height - (ui.cursor().top() - top);
                     let [least, wide] = [LINES, LINES_WIDE].map(|room| room * theme.scale);
                     if left >= least && ui.available_width() >= wide {
-                        theme::section(ui, "Lines");
+                        theme::section(ui, said!("Lines"));
                         spikes_view::table(ui, app, theme, &mut acts);
                     }
                 });
@@ -128,9 +131,9 @@ impl Window {
         } else {
             ui.horizontal(|ui| {
                 for (side, words) in [
-                    (Side::Verdict, "◀ Verdict"),
-                    (Side::Figures, "All figures"),
-                    (Side::Settings, "Settings"),
+                    (Side::Verdict, said!("◀ Verdict")),
+                    (Side::Figures, said!("All figures")),
+                    (Side::Settings, said!("Settings")),
                 ] {
                     ui.selectable_value(&mut self.side, side, words);
                 }
@@ -141,12 +144,12 @@ impl Window {
                     said = model_view::controls(ui, &self.app, &mut commands);
                     let mut automatic = self.app.document().pages.known_lamps.automatic;
                     let asked = ui
-                        .checkbox(&mut automatic, "Automatic: known lamps too")
-                        .on_hover_text(
+                        .checkbox(&mut automatic, said!("Automatic: known lamps too"))
+                        .on_hover_text(said!(
                             "Automatic may also describe the light by lamps that the program \
-                             knows. Decoding then needs this program's list of lamps. Where that is \
-                             better, the page Known lamps opens.",
-                        );
+                             knows. Decoding then needs this program's list of lamps. Where that \
+                             is better, the page Known lamps opens."
+                        ));
                     if asked.changed() {
                         self.app
                             .edit_pages(|pages| pages.known_lamps.automatic = automatic);
@@ -179,7 +182,7 @@ impl Window {
         }
         let mut acts: Vec<SpikeAct> = Vec::new();
         ui.add_space(8.0);
-        theme::section(ui, "Lines");
+        theme::section(ui, said!("Lines"));
         spikes_view::head(ui, &self.app, &mut acts);
         spikes_view::table(ui, &self.app, theme, &mut acts);
         for act in acts {
@@ -195,9 +198,11 @@ const LINES_WIDE: f32 = 396.0;
 
 /// The paper's settings in one click.
 fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    let meaning = "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
-             slope, products on the paper's points.";
-    if pressed(ui, look_view::names::PAPER, meaning) {
+    let meaning = said!(
+        "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their slope, \
+         products on the paper's points."
+    );
+    if pressed(ui, said(look_view::names::PAPER), meaning) {
         commands.push(Command::Edit(answers::as_in_the_paper(app)));
     }
 }

@@ -39,6 +39,7 @@ use crate::{
         worker::{Worker, news_of},
     },
     io::{name_of, save_atomically},
+    languages::said,
 };
 
 /// What is waiting for a path.
@@ -174,15 +175,16 @@ impl Window {
                 self.images_opened(images, count == 0);
                 let more = match count {
                     0 | 1 => String::new(),
-                    _ => format!(" ({count} spectra, all in My files)"),
+                    _ => tr!(" ({n} spectrum, all in My files)"
+                        | " ({n} spectra, all in My files)" % count),
                 };
                 let odd = first.len().saturating_sub(1);
                 let odd = match odd {
                     0 => String::new(),
-                    _ => " Its tooltip says more.".to_owned(),
+                    _ => said!(" Its tooltip says more.").to_owned(),
                 };
                 let beside = if is_beside {
-                    " A file of this name with other values is open: both are there now."
+                    said!(" A file of this name with other values is open: both are there now.")
                 } else {
                     ""
                 };
@@ -194,7 +196,7 @@ impl Window {
                 let images = restored.images.clone();
                 self.app
                     .apply(Command::Replace(Box::new(restored.document)));
-                self.app.say(Tone::Info, "Project opened.");
+                self.app.say(Tone::Info, said!("Project opened."));
                 self.images.forget();
                 self.stored_images = images;
                 for loss in losses {
@@ -269,14 +271,14 @@ impl Window {
     pub fn save_chart(&mut self, wish: ChartWish, context: &Context) {
         if wish.form == ChartForm::CopyCsv {
             context.copy_text(wish.chart.to_csv().trim_end().to_owned());
-            let words = format!("Copied as CSV: {}.", wish.chart.title);
+            let words = tr!("Copied as CSV: {title}.", title = wish.chart.title);
             self.app.say(Tone::Info, words);
         } else if wish.form == ChartForm::Print {
             let [width, height] = CHART_SIZE;
             let svg = wish.chart.to_svg(width, height, Theme::Light);
             self.print(&wish.chart.title, PrintedAs::Svg(svg), context);
         } else if self.waiting.is_some() {
-            let words = "A file dialog is open already; answer that one first.";
+            let words = said!("A file dialog is open already; answer that one first.");
             self.app.say(Tone::Problem, words);
         } else {
             self.save(Saving::Chart(wish), context);
@@ -310,13 +312,13 @@ impl Window {
             }
             #[cfg(target_arch = "wasm32")]
             (Picked::Later, _) => {}
-            (Picked::Cancelled, _) => self.app.say(Tone::Info, "No file chosen."),
+            (Picked::Cancelled, _) => self.app.say(Tone::Info, said!("No file chosen.")),
             (Picked::NoDialog, None) => {
-                self.app.say(Tone::Problem, NO_DIALOG);
+                self.app.say(Tone::Problem, said(NO_DIALOG));
                 self.dialog = Some(Dialog::OpenPath(String::new()));
             }
             (Picked::NoDialog, Some(saving)) => {
-                self.app.say(Tone::Problem, NO_DIALOG);
+                self.app.say(Tone::Problem, said(NO_DIALOG));
                 self.dialog = Some(Dialog::SavePath(self.suggested_name(&saving)));
                 self.saving = Some(saving);
             }
@@ -374,10 +376,11 @@ impl Window {
                         | Saving::Lesson(..)
                         | Saving::Tracks { .. }
                         | Saving::Instrument(_),
-                    ) => (Tone::Info, format!("Saved {}.", path.display())),
+                    ) => (Tone::Info, tr!("Saved {file}.", file = path.display())),
                     (Ok(()), saving) => {
                         let scale = app.document().scale.words();
-                        let mut words = format!("Saved {} ({scale}).", path.display());
+                        let mut words =
+                            tr!("Saved {file} ({scale}).", file = path.display(), scale);
                         if let Saving::Text(export) = saving {
                             for loss in export.losses(&app) {
                                 words += &format!(" {loss}");

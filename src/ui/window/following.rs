@@ -15,10 +15,13 @@ use super::{
     Window,
     panels::plain,
 };
-use crate::app::{
-    Command, Tone,
-    following::{Asked, FollowAsked, Following, Standing},
-    pages::Page,
+use crate::{
+    app::{
+        Command, Tone,
+        following::{Asked, FollowAsked, Following, Standing},
+        pages::Page,
+    },
+    languages::said,
 };
 
 /// How often what is said of the last frame's age is said anew.
@@ -86,8 +89,8 @@ impl Window {
     pub(super) fn picked_to_follow(&mut self, what: ToFollow, picked: Picked) {
         let path = match picked {
             Picked::Paths(paths) => paths.into_iter().next(),
-            Picked::Cancelled => return self.app.say(Tone::Info, "No file chosen."),
-            Picked::NoDialog => return self.app.say(Tone::Problem, NO_DIALOG),
+            Picked::Cancelled => return self.app.say(Tone::Info, said!("No file chosen.")),
+            Picked::NoDialog => return self.app.say(Tone::Problem, said(NO_DIALOG)),
             // A page follows nothing.
             #[cfg(target_arch = "wasm32")]
             Picked::Later => return,
@@ -124,10 +127,10 @@ impl Window {
             return;
         };
         let Some(entry) = following.capture() else {
-            let words = "There is no spectrum to capture yet.";
+            let words = said!("There is no spectrum to capture yet.");
             return self.app.say(Tone::Problem, words);
         };
-        let words = format!("Captured to My files: {}.", entry.name());
+        let words = tr!("Captured to My files: {name}.", name = entry.name());
         self.app.apply(Command::Capture(Box::new(entry)));
         self.app.end_gesture();
         if let Some(saver) = &self.saver {
@@ -158,11 +161,19 @@ impl Window {
             .exact_size(BAR)
             .show(ui, |ui| {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    stops = pressed(ui, names::STOP, names::STOP_MEANS);
-                    goes = pressed(ui, "Live", "The page Live: figures, captures, over time.");
-                    captures = pressed(ui, names::CAPTURE, names::CAPTURE_MEANS);
-                    let hold = if is_held { names::GO_ON } else { names::HOLD };
-                    holds = pressed(ui, hold, names::HOLD_MEANS);
+                    stops = pressed(ui, said(names::STOP), said(names::STOP_MEANS));
+                    goes = pressed(
+                        ui,
+                        said!("Live"),
+                        said!("The page Live: figures, captures, over time."),
+                    );
+                    captures = pressed(ui, said(names::CAPTURE), said(names::CAPTURE_MEANS));
+                    let hold = if is_held {
+                        said(names::GO_ON)
+                    } else {
+                        said(names::HOLD)
+                    };
+                    holds = pressed(ui, hold, said(names::HOLD_MEANS));
                     ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                         let sign = if seen.standing.is_trouble() {
                             "▲"

@@ -21,7 +21,10 @@ impl Window {
             match news {
                 News::Back(image) => self.app.apply(Command::ImageIsBack(Arc::new(image))),
                 News::Lost(_, why) => {
-                    let words = format!("An image of your last session is missing: {why}");
+                    let words = tr!(
+                        "An image of your last session is missing: {reason}",
+                        reason = why
+                    );
                     self.app.say(Tone::Problem, words);
                 }
                 // Late news: the file is here already.

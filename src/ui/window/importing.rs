@@ -69,7 +69,7 @@ impl Window {
                         self.app.apply(import.removal(&self.app));
                         self.app.end_gesture();
                         let file = &import.opened().file;
-                        let words = format!("{file} was taken out again.");
+                        let words = tr!("{file} was taken out again.", file);
                         self.app.say(Tone::Info, words);
                     }
                     context.request_repaint();

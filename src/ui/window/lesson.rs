@@ -284,7 +284,7 @@ impl Window {
     pub(super) fn take_lesson(&mut self, checked: Checked) {
         match checked {
             Ok(lesson) => {
-                let words = format!("{} was added to the lessons.", lesson.title);
+                let words = tr!("{title} was added to the lessons.", title = lesson.title);
                 self.app.say(Tone::Info, words);
                 if let Some(folder) = &self.lessons_folder
                     && let Err(why) = shelf::keep(folder, &lesson)

@@ -39,6 +39,7 @@ use super::{
     top_view::Drawer,
     verdict_view::Side,
 };
+use crate::languages;
 use crate::app::{
     App, Command, Memo, Pair, Tone, chart,
     following::Following,
@@ -235,6 +236,7 @@ impl Window {
     /// One frame.
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
+        languages::speak(self.preferences.language);
         self.preferences.grown = theme::grown(ui.max_rect().size());
         self.note_touch(&context);
         self.dress(&context);
@@ -304,6 +306,7 @@ impl Window {
     /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what
     /// was read comes in, and is kept.
     pub fn unseen(&mut self, context: &Context) {
+        languages::speak(self.preferences.language);
         self.take_files(context);
         self.keep();
     }

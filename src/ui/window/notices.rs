@@ -44,7 +44,10 @@ impl Window {
         let words = match &refused[..] {
             [] => return,
             [one] => (*one).to_owned(),
-            [first, rest @ ..] => format!("{first} (and {} more files)", rest.len()),
+            [first, rest @ ..] => tr!(
+                "{first} (and {n} more files)" | "{first} (and {n} more files)" % rest.len(),
+                first
+            ),
         };
         let until = context.input(|i| i.time) + STANDS;
         self.refusal = Some(Refusal { at, words, until });
@@ -66,10 +69,10 @@ impl Window {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(width);
                 ui.horizontal_top(|ui| {
-                    let meaning = "Closes this note; the line at the bottom keeps it.";
-                    closes |= sign_button(ui, "✕", "Close the note", meaning);
+                    let meaning = said!("Closes this note; the line at the bottom keeps it.");
+                    closes |= sign_button(ui, "✕", said!("Close the note"), meaning);
                     ui.vertical(|ui| {
-                        warning(ui, theme, "Not opened");
+                        warning(ui, theme, said!("Not opened"));
                         ui.add(Label::new(&refusal.words).wrap());
                     });
                 });

@@ -76,11 +76,15 @@ impl Window {
                 tell.send(match opened {
                     Ok(()) => (
                         Tone::Info,
-                        "The browser opens the page and asks for the printer.".to_owned(),
+                        said!("The browser opens the page and asks for the printer.").to_owned(),
                     ),
                     Err(why) => {
                         let path = path.display();
-                        let words = format!("No browser opened ({why}). Print this file: {path}");
+                        let words = tr!(
+                            "No browser opened ({reason}). Print this file: {path}",
+                            reason = why,
+                            path
+                        );
                         (Tone::Problem, words)
                     }
                 });

@@ -11,10 +11,7 @@ use super::{
     },
     WATCH_EVERY, Window,
 };
-use crate::{
-    app::{Tone, lessons::Lesson},
-    io::many::many,
-};
+use crate::app::{Tone, lessons::Lesson};
 
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
@@ -46,20 +43,22 @@ impl Window {
                     }
                 }
                 if self.lesson_checks.is_busy() {
-                    ui.label("checking a lesson");
+                    ui.label(said!("checking a lesson"));
                 }
                 let images = self.images.waiting().len();
                 if images > 0 {
                     // Nothing that moves: a file may be long in coming, and each frame costs.
-                    ui.label(format!("reading {} again", many(images, "image", "images")));
+                    ui.label(tr!(
+                        "reading {n} image again" | "reading {n} images again" % images
+                    ));
                 }
                 self.offer_to_forget(ui);
                 if self.waiting.is_some() {
-                    let meaning = "Stops waiting for the file dialog.";
-                    if pressed_small(ui, "stop waiting", meaning) {
+                    let meaning = said!("Stops waiting for the file dialog.");
+                    if pressed_small(ui, said!("stop waiting"), meaning) {
                         self.waiting = None;
                     }
-                    ui.label("file dialog open");
+                    ui.label(said!("file dialog open"));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let Some(message) = self.app.current_message() else {
@@ -76,8 +75,8 @@ impl Window {
                         ui.colored_label(theme.warning, "▲");
                     }
                     if self.batch.is_told_by(&message.text) {
-                        let meaning = "How each file was read, or why it was refused.";
-                        wants_summary = pressed_small(ui, "Each file…", meaning);
+                        let meaning = said!("How each file was read, or why it was refused.");
+                        wants_summary = pressed_small(ui, said!("Each file…"), meaning);
                     }
                     ui.add(egui::Label::new(&message.text).truncate())
                         .on_hover_ui(|ui| {
@@ -98,14 +97,14 @@ impl Window {
     /// A button to the lesson that answers the page's question.
     fn offer_lesson(&mut self, ui: &mut Ui, lesson: &Lesson) {
         let words = match ui.available_width() >= ROOM_FOR_TITLE {
-            true => format!("Lesson: {}", lesson.title),
-            false => "Lesson".to_owned(),
+            true => tr!("Lesson: {title}", title = lesson.title),
+            false => said!("Lesson").to_owned(),
         };
         let button = ui.small_button(words);
-        named(&button, egui::Role::Button, "Lesson about this page");
-        let hover = format!(
-            "{} {} ({} minutes)",
-            lesson.title, lesson.sentence, lesson.minutes
+        named(&button, egui::Role::Button, said!("Lesson about this page"));
+        let hover = tr!(
+            "{about} ({n} minutes)" | "{about} ({n} minutes)" % lesson.minutes,
+            about = format!("{} {}", lesson.title, lesson.sentence)
         );
         if button.on_hover_text(hover).clicked() {
             self.begin_lesson(lesson.name.clone(), ui.ctx());
@@ -118,14 +117,11 @@ impl Window {
         if lost.is_empty() {
             return;
         }
-        let words = match lost.len() {
-            1 => "forget 1 missing image".to_owned(),
-            count => format!("forget {count} missing images"),
-        };
+        let words = tr!("forget {n} missing image" | "forget {n} missing images" % lost.len());
         let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
-        let forgets = ui.small_button(words).on_hover_text(format!(
-            "Not found: {}. The program looks for them at every start until you forget them.",
-            names.join(", ")
+        let forgets = ui.small_button(words).on_hover_text(tr!(
+            "Not found: {files}. The program looks for them at every start until you forget them.",
+            files = names.join(", ")
         ));
         if forgets.clicked() {
             self.images.give_up();

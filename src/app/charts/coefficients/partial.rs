@@ -42,10 +42,10 @@ impl Draw<'_> {
                 && values[i] >= values[i + 1];
             if is_peak && values[i] > top {
                 points.push([nm, 0.97 * top]);
-                notes.push(format!("reaches {}", figure(values[i])));
+                notes.push(tr!("reaches {value}", value = figure(values[i])));
             }
         }
-        let name = "goes beyond";
+        let name = said!("goes beyond");
         let series = Series::points(name, Ink::Measured, Shape::Triangle, points);
         (!notes.is_empty()).then(|| series.with_notes(notes))
     }
@@ -58,15 +58,15 @@ impl Draw<'_> {
         let thin = |name: &str, ink: Ink, values: &[f64], dash: Dash| {
             stroke(name, ink, curve(values), 1.2, dash)
         };
-        let mut series = vec![thin(
-            "measured",
+                let mut series = vec![thin(
+            said!("measured"),
             Ink::Measured,
             &derived.measured,
             Dash::Solid,
         )];
         if !derived.model.lines().is_empty() {
             series.push(thin(
-                "without its lines",
+                said!("without its lines"),
                 Ink::Residual,
                 &derived.parts.smooth,
                 Dash::Dashed,
@@ -74,11 +74,11 @@ impl Draw<'_> {
         }
         if let Some(before) = order.checked_sub(1) {
             let values = self.harmonics.partial_sum(table, before);
-            let name = format!("sum of {}", waves_words(before));
+            let name = tr!("sum of {waves}", waves = waves_words(before));
             series.push(thin(&name, Ink::Overlay(2), &values, Dash::Dotted));
         }
         let sum = self.harmonics.partial_sum(table, order);
-        let name = format!("sum of {}", waves_words(order));
+        let name = tr!("sum of {waves}", waves = waves_words(order));
         series.push(stroke(name, Ink::Smooth, curve(&sum), 2.6, Dash::Solid));
         if let Some(pointed) = self
             .sight
@@ -86,7 +86,7 @@ impl Draw<'_> {
             .filter(|n| *n < self.harmonics.orders.len())
         {
             let values = self.harmonics.single(table, pointed);
-            let name = format!("wave {pointed} alone");
+            let name = tr!("wave {pointed} alone", pointed);
             series.push(Series::line(name, Ink::Product, curve(&values)).dashed(Dash::Dashed));
         }
         let y_range = self.cut(&series);
@@ -96,10 +96,10 @@ impl Draw<'_> {
         let unit = self.app.unit();
         Chart {
             y_range,
-            title: format!(
-                "{}: the sum of {}",
-                self.app.document().subject_entry().name(),
-                waves_words(order)
+            title: tr!(
+                "{subject}: the sum of {waves}",
+                subject = self.app.document().subject_entry().name(),
+                waves = waves_words(order)
             ),
             y_label: value_label(unit),
             series,

@@ -130,19 +130,20 @@ fn met(app: &App) -> Vec<String> {
             found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
         };
         let called = |nm: f64| match told.known.safe(nm) {
-            Some(name) => format!("{nm:.1} nm ({name})"),
-            None => format!("{nm:.1} nm"),
+                    Some(name) => format!("{} nm ({name})", fixed(nm, 1)),
+        None => format!("{} nm", fixed(nm, 1)),
         };
         for met in &step.met {
-            all.push(format!(
-                "{} in {name}: the line at {} stands on a dark line at {}, {:.0} % deep. Its weight \
-                 goes from {} to {}.",
-                document.light.name(),
-                called(met.line_nm),
-                called(met.dip_nm),
-                100.0 * met.depth,
-                weight(before, met.line_nm),
-                weight(&step.spikes, met.line_nm),
+                all.push(tr!(
+                "{light} in {name}: the line at {line} stands on a dark line at {dark_line}, \
+                 {depth} % deep. Its weight goes from {before} to {after}.",
+                light = document.light.name(),
+                name,
+                line = called(met.line_nm),
+                dark_line = called(met.dip_nm),
+                depth = fixed(100.0 * met.depth, 0),
+                before = weight(before, met.line_nm),
+                after = weight(&step.spikes, met.line_nm)
             ));
         }
         before = &step.spikes;
@@ -155,30 +156,30 @@ fn table(app: &App, dips: &[DipRow]) -> Table {
     let factor = app.scale_factor();
     let columns = Columns::<&DipRow>::default()
         .with("place nm", |dip| {
-            cell(dip.spike.at_nm).shown(format!("{:.1}", dip.spike.at_nm))
+            cell(dip.spike.at_nm).shown(fixed(dip.spike.at_nm, 1))
         })
-        .figures("nm", "Centroid of the dark line, nm.")
+        .figures("nm", said!("Centroid of the dark line, nm."))
         .with("weight", |dip| {
             cell(dip.spike.weight).shown(short(factor * dip.spike.weight))
         })
-        .figures("weight", "Power that is missing, in the plot's unit × nm.")
+        .figures(said!("weight"), said!("Power that is missing, in the plot's unit × nm."))
         .with("depth", |dip| {
             let depth = or_dash(dip.depth, |depth| format!("{} %", fixed(100.0 * depth, 1)));
             cell(dip.depth).shown(depth)
         })
-        .figures(
-            "depth",
-            "Share of the background that is missing at its deepest, percent.",
+                .figures(
+            said!("depth"),
+            said!("Share of the background that is missing at its deepest, percent."),
         )
         .with("name", |dip| {
             let mark = if dip.below_zero { "▲ " } else { "" };
             let name = dip.name.as_deref();
             cell(name.unwrap_or_default()).shown(format!("{mark}{}", name.unwrap_or(DASH)))
         })
-        .titled(
-            "line",
-            "Named only where it is safe. A known line without a weight is seen in the curve, but \
-             the search did not take it: it is no number of the model.",
+                .titled(
+            said!("line"),
+            said!("Named only where it is safe. A known line without a weight is seen in the curve, but \
+             the search did not take it: it is no number of the model."),
         )
         .with("below zero", |dip| {
             cell(if dip.below_zero { "yes" } else { "no" })
@@ -193,9 +194,9 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     let (band, factor) = (derived.band, app.scale_factor());
     let curve = |values: &[f64]| on_grid(band, values, factor);
     let [measured, filled] = [&derived.measured, &derived.parts.smooth];
-    let area = Series::area("measured", Ink::Measured, curve(measured), Vec::new());
+    let area = Series::area(said!("measured"), Ink::Measured, curve(measured), Vec::new());
     let filled_up = stroke(
-        "without dark lines",
+        said!("without dark lines"),
         Ink::Residual,
         curve(filled),
         1.3,
@@ -213,11 +214,11 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
         let (tops, base) = ends.unzip();
         let note = |(nm, label, depth): &(f64, String, Option<f64>)| {
             let at = match label.is_empty() {
-                true => format!("{nm:.1} nm"),
+                true => format!("{} nm", fixed(nm, 1)),
                 false => label.clone(),
             };
             match depth {
-                Some(depth) => format!("{at}: {:.0} % deep", 100.0 * depth),
+                Some(depth) => tr!("{at}: {depth} % deep", at, depth = fixed(100.0 * depth, 0)),
                 None => at,
             }
         };
@@ -229,7 +230,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     if !known.is_empty() {
         let known = known.iter();
         let known = known.map(|line| (line.at_nm(), line.name.to_owned(), Some(line.depth)));
-        let name = "known, not in the model";
+        let name = said!("known, not in the model");
         series.push(gaps(name, Ink::Residual, known.collect()));
     }
     if !dips.is_empty() {
@@ -237,10 +238,10 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
         let dips = dips
             .iter()
             .map(|dip| (dip.spike.at_nm, name(dip), dip.depth));
-        series.push(gaps("dark lines", Ink::Product, dips.collect()));
+        series.push(gaps(said!("dark lines"), Ink::Product, dips.collect()));
     }
     Chart {
-        title: format!("Missing in {}", document.subject_entry().name()),
+        title: tr!("Missing in {subject}", subject = document.subject_entry().name()),
         y_label: subject_label(app),
         series,
         colours: strip(band),

@@ -87,17 +87,18 @@ impl Bounced {
             series.push(thin("", ink, points.clone(), dash));
             series.push(Series::points(name, ink, shape, points));
         }
-        let notes = vec![format!(
-            "Light: {}. Surface: {}. Both sides brightened to half the light's Y.",
-            self.light, self.surface
+        let notes = vec![tr!(
+            "Light: {light}. Surface: {surface}. Both sides brightened to half the light's Y.",
+            light = self.light,
+            surface = self.surface
         )];
         Chart {
-            title: "Error against bounces".to_owned(),
-            x_label: "Bounces K".to_owned(),
+            title: said!("Error against bounces").to_owned(),
+            x_label: said!("Bounces K").to_owned(),
             y_label: if added {
-                "ΔE₀₀ added by forming the products".to_owned()
+                said!("ΔE₀₀ added by forming the products").to_owned()
             } else {
-                "ΔE₀₀ against the exact product".to_owned()
+                said!("ΔE₀₀ against the exact product").to_owned()
             },
             x_range: [1.0, last],
             y_scale: if log { Scale::Log10 } else { Scale::Linear },
@@ -121,7 +122,7 @@ impl Bounced {
     /// Which way stays below a ΔE₀₀ of 1 for how long.
     pub fn sentence(&self, added: bool) -> String {
         if !self.has_colour() {
-            return "There is no visible light to be off by.".to_owned();
+            return said!("There is no visible light to be off by.").to_owned();
         }
         let stays = self.stays(added);
         let ways = || self.ways.iter().map(|w| way_name(w.sampling)).zip(&stays);
@@ -130,13 +131,12 @@ impl Bounced {
             let found = ways().filter(|(_, (below, _))| *below == wanted);
             found.map(|(name, _)| name).collect()
         };
-        let what = if added {
-            "added ΔE₀₀"
-        } else {
-            "ΔE₀₀"
-        };
-        if most == 0 {
-            return format!("No way stays below {what} 1, not for one bounce.");
+                if most == 0 {
+            return match added {
+                true => said!("No way stays below added ΔE₀₀ 1, not for one bounce."),
+                false => said!("No way stays below ΔE₀₀ 1, not for one bounce."),
+            }
+            .to_owned();
         }
         let mut lengths: Vec<usize> = stays.iter().map(|(below, _)| *below).collect();
         lengths.sort_unstable();
@@ -147,15 +147,19 @@ impl Bounced {
             .map(|length| {
                 let whole = stays.iter().all(|(_, seen)| seen == length);
                 let length_words = match (length, whole) {
-                    (0, _) => "not for one bounce".to_owned(),
-                    (length, true) => format!("through all {length} bounces"),
-                    (1, false) => "for 1 bounce".to_owned(),
-                    (length, false) => format!("up to {length} bounces"),
+                    (0, _) => said!("not for one bounce").to_owned(),
+                    (length, true) => tr!("through all {length} bounces", length),
+                    (1, false) => said!("for 1 bounce").to_owned(),
+                    (length, false) => tr!("up to {length} bounces", length),
                 };
                 format!("{length_words}: {}", names(*length).join(", "))
             })
             .collect();
-        format!("Below {what} 1 {}.", told.join("; "))
+                let lengths = told.join("; ");
+        match added {
+            true => tr!("Below added ΔE₀₀ 1 {lengths}.", lengths),
+            false => tr!("Below ΔE₀₀ 1 {lengths}.", lengths),
+        }
     }
 
     /// All errors as a table.

@@ -1,5 +1,6 @@
 //! A light through its chain as the part "Chain" shows it: every stage, its words and its chart.
 
+use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series, stroke},
@@ -87,7 +88,7 @@ impl ChainSheet {
             Place::Light => &entry.on_band(band),
             Place::Stage(index) => &passage.steps.get(index)?.exact,
         };
-        let name = format!("{}, equally bright before", entry.name());
+        let name = tr!("{light}, equally bright before", light = entry.name());
         let points = on_grid(band, values, equal * self.factor(app));
         Some(stroke(&name, Ink::Second, points, 2.4, Dash::Solid))
     }
@@ -113,32 +114,36 @@ impl ChainSheet {
         let (steps, derived) = (&self.told.passage.steps, &self.light.derived);
         let (title, exact, smooth) = match place {
             Place::Light => (
-                format!("The light: {}", light.name()),
+                tr!("The light: {light}", light = light.name()),
                 &derived.measured,
                 &derived.smooth,
             ),
             Place::Stage(index) => (
-                format!("Behind step {}: {}", index + 1, self.told.names[index]),
+                tr!(
+                    "Behind step {number}: {name}",
+                    number = index + 1,
+                    name = self.told.names[index]
+                ),
                 &steps[index].exact,
                 &steps[index].smooth,
             ),
         };
-        let mut notes = vec![format!("Light: {}", light.name())];
+        let mut notes = vec![tr!("Light: {light}", light = light.name())];
         let names = self.told.names.iter().enumerate();
         notes.extend(names.map(|(i, name)| format!("{}. {name}", i + 1)));
         let band = derived.band;
         let factor = self.factor(app);
         let curve = |values: &[f64]| on_grid(band, values, factor);
         let mut series = vec![
-            Series::line("exact", Ink::Measured, curve(exact)),
-            Series::line("smooth part", Ink::Smooth, curve(smooth)),
+            Series::line(said!("exact"), Ink::Measured, curve(exact)),
+            Series::line(said!("smooth part"), Ink::Smooth, curve(smooth)),
         ];
         series.extend(self.second_curve(app, place));
         let (up, down): (Vec<Line>, Vec<Line>) =
             self.spikes(place).iter().partition(|s| s.weight >= 0.0);
         for (name, ink, spikes) in [
-            ("lines", Ink::Spikes, up),
-            ("dark lines", Ink::Product, down),
+            (said!("lines"), Ink::Spikes, up),
+            (said!("dark lines"), Ink::Product, down),
         ] {
             if !spikes.is_empty() {
                 series.push(self.stems((name, ink), &spikes, smooth, factor));
@@ -159,13 +164,13 @@ impl ChainSheet {
     fn stems(&self, looks: (&str, Ink), spikes: &[Line], smooth: &[f64], factor: f64) -> Series {
         let label = |s: &Line| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
-            None => format!("{:.1}", s.at_nm),
+            None => fixed(s.at_nm, 1),
         };
         let labels: Vec<String> = spikes.iter().map(label).collect();
         let notes = spikes
             .iter()
             .zip(&labels)
-            .map(|(s, label)| format!("{label}: weight {}", short(factor * s.weight)))
+            .map(|(s, label)| tr!("{label}: weight {weight}", label, weight = short(factor * s.weight)))
             .collect();
         let derived = &self.light.derived;
         let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);

@@ -1,6 +1,7 @@
 //! The light behind a narrow band-pass: its spectrum with the filter over it, and what three
 //! representations of equal size are off by for every place of the band-pass.
 
+use crate::languages::{fixed, said};
 use std::sync::Arc;
 
 use super::{chain::strip, resampling::thin};
@@ -26,13 +27,17 @@ use crate::{
 };
 
 /// The three representations, in the order of every table.
-pub const WAYS: [&str; 3] = ["waves and lines", "waves alone", "plain samples"];
+pub const WAYS: [&str; 3] = [
+    later!("waves and lines"),
+    later!("waves alone"),
+    later!("plain samples"),
+];
 
 /// What each of them is.
 pub const WAY_MEANINGS: [&str; 3] = [
-    "The model: waves for the smooth part, and a place and a weight for each line.",
-    "The same basis with all numbers spent on waves, none on lines.",
-    "Plain point samples joined by straight lines.",
+    later!("The model: waves for the smooth part, and a place and a weight for each line."),
+    later!("The same basis with all numbers spent on waves, none on lines."),
+    later!("Plain point samples joined by straight lines."),
 ];
 
 /// Most band-passes that a curve has: wide ranges are walked in steps of several nm.
@@ -258,7 +263,7 @@ impl Behind {
         let curve = |values: &[f64]| on_grid(band, values, 1.0);
         let smooth = derived.model.smooth().on_band();
         let spikes = derived.model.lines();
-        let looks = ("lines", Ink::Spikes);
+        let looks = (said!("lines"), Ink::Spikes);
         let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
             derived.parts.stem_width_nm(i)
         });
@@ -278,26 +283,26 @@ impl Behind {
             .collect();
         let mut series = vec![
             Series::area(
-                "filter, 1 at the top",
+                said!("filter, 1 at the top"),
                 Ink::Residual,
                 through.clone(),
                 Vec::new(),
             ),
             thin("", Ink::Residual, through, Dash::Solid),
             Series::points("", Ink::Residual, Shape::Square, handles),
-            thin(
-                "measured",
+                        thin(
+                said!("measured"),
                 Ink::Measured,
                 curve(&derived.measured),
                 Dash::Solid,
             ),
-            thin("smooth part", Ink::Smooth, curve(&smooth), Dash::Dashed),
+            thin(said!("smooth part"), Ink::Smooth, curve(&smooth), Dash::Dashed),
         ];
         if let Some((name, values, white)) = &self.second
             && let equal = self.narrow.white().y / white.y
             && equal.is_finite()
         {
-            let name = format!("{name}, equally bright before");
+            let name = tr!("{name}, equally bright before", name);
             let points = on_grid(band, values, equal);
             series.push(thin(&name, Ink::Second, points, Dash::Solid));
         }
@@ -305,7 +310,7 @@ impl Behind {
             series.push(stems);
         }
         Chart {
-            title: "The light and the filter over it".to_owned(),
+            title: said!("The light and the filter over it").to_owned(),
             y_label: value_label(&app.document().light.spectrum.unit),
             series,
             colours: strip(band),
@@ -350,13 +355,13 @@ impl Behind {
         series.reverse();
         Chart {
             title: if luminance {
-                format!("Luminance error behind {width_nm:.1} nm")
+                tr!("Luminance error behind {width_nm} nm", width_nm = fixed(width_nm, 1))
             } else {
-                format!("Colour error behind {width_nm:.1} nm")
+                tr!("Colour error behind {width_nm} nm", width_nm = fixed(width_nm, 1))
             },
-            x_label: "Centre of the band-pass (nm)".to_owned(),
+            x_label: said!("Centre of the band-pass (nm)").to_owned(),
             y_label: if luminance {
-                "luminance error (%)".to_owned()
+                said!("luminance error (%)").to_owned()
             } else {
                 "ΔE₀₀".to_owned()
             },
@@ -373,10 +378,10 @@ impl Behind {
     }
 
     fn notes(&self, app: &App) -> Vec<String> {
-        let notes = vec![format!(
-            "Light: {}. Three representations of {} each; the filter is exact.",
-            self.light,
-            numbers(self.numbers())
+        let notes = vec![tr!(
+            "Light: {light}. Three representations of {numbers} each; the filter is exact.",
+            light = self.light,
+            numbers = numbers(self.numbers())
         )];
         before_provenance(notes, app)
     }
@@ -386,26 +391,28 @@ impl Behind {
         let head = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
         let mut columns = Columns::<&FilterRow>::default()
             .with("filter", |row| cell(row.entry.name()))
-            .titled(
-                "filter",
-                "Measured transmittance. Click a row to put it over the light.",
+                        .titled(
+                said!("filter"),
+                said!("Measured transmittance. Click a row to put it over the light."),
             )
             .with("luminance_share", |row| {
                 let share = row.figures.luminance;
-                cell(share).shown(or_dash(share, |share| format!("{:.1} %", 100.0 * share)))
+                cell(share).shown(or_dash(share, |share| {
+                    format!("{} %", fixed(100.0 * share, 1))
+                }))
             })
-            .figures(
-                "luminance",
-                "Y of the exact light behind the filter over that of the whole light, percent.",
+                        .figures(
+                said!("luminance"),
+                said!("Y of the exact light behind the filter over that of the whole light, percent."),
             );
         for (way, key) in ["composite", "series", "samples"].into_iter().enumerate() {
             let error = move |row: &&FilterRow| row.figures.ways[way].delta_e_2000;
-            let meaning = format!("CIEDE2000. {}", WAY_MEANINGS[way]);
+            let meaning = format!("CIEDE2000. {}", said(WAY_MEANINGS[way]));
             columns = columns
                 .with(format!("{key}_delta_e_2000"), move |row| {
                     cell(error(row)).shown(delta_e(error(row)))
                 })
-                .figures(WAYS[way], meaning);
+                .figures(said(WAYS[way]), meaning);
         }
         Table::new(table_head(head, app), columns, rows)
     }

@@ -1,5 +1,6 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
+use crate::languages::{fixed, said};
 use crate::{
     app::{
         App, Entry,
@@ -21,12 +22,12 @@ use crate::{
 /// A way of forming products, in a word or two.
 pub fn way_name(sampling: Sampling) -> &'static str {
     match sampling {
-        Sampling::Paper => "paper's points",
-        Sampling::ThreeN => "3N+1 points",
-        Sampling::FourN => "4N+1 points",
-        Sampling::Double => "twice the numbers",
-        Sampling::Convolution => "cut convolution",
-        Sampling::Exact => "1 nm, as measured",
+        Sampling::Paper => said!("paper's points"),
+        Sampling::ThreeN => said!("3N+1 points"),
+        Sampling::FourN => said!("4N+1 points"),
+        Sampling::Double => said!("twice the numbers"),
+        Sampling::Convolution => said!("cut convolution"),
+        Sampling::Exact => said!("1 nm, as measured"),
     }
 }
 
@@ -34,20 +35,20 @@ pub fn way_name(sampling: Sampling) -> &'static str {
 pub fn way_meaning(sampling: Sampling) -> &'static str {
     match sampling {
         Sampling::Paper => {
-            "As many points as there are numbers (2N+1), as in the paper: waves above N fold back."
+            said!("As many points as there are numbers (2N+1), as in the paper: waves above N fold back.")
         }
         Sampling::ThreeN => {
-            "3N+1 points, or the next odd count: in the Fourier basis waves up to N are exact."
+            said!("3N+1 points, or the next odd count: in the Fourier basis waves up to N are exact.")
         }
-        Sampling::FourN => "4N+1 points: in the Fourier basis every wave of one product is exact.",
-        Sampling::Double => "Twice as many points as there are numbers, the default for chains.",
+        Sampling::FourN => said!("4N+1 points: in the Fourier basis every wave of one product is exact."),
+        Sampling::Double => said!("Twice as many points as there are numbers, the default for chains."),
         Sampling::Convolution => {
-            "Coefficients convolved and cut back to as many as there were: nothing folds, and all \
-             above is lost."
+            said!("Coefficients convolved and cut back to as many as there were: nothing folds, and all \
+             above is lost.")
         }
         Sampling::Exact => {
-            "No resampling: the model of the light times the filter or surface as measured, at \
-             every nm."
+            said!("No resampling: the model of the light times the filter or surface as measured, at \
+             every nm.")
         }
     }
 }
@@ -123,7 +124,7 @@ impl Bench {
     pub fn chart(&self, app: &App, hidden: &[Sampling]) -> Chart {
         let curve = |values: &[f64]| on_grid(self.band, values, 1.0);
         let mut series = vec![Series::line(
-            "measured × measured",
+            said!("measured × measured"),
             Ink::Measured,
             curve(&self.resampled.exact),
         )];
@@ -138,20 +139,24 @@ impl Bench {
         series.extend(self.stems());
         let y_range = without_tall_lines(&series);
         let notes = vec![
-            format!("Light: {}. Filter or surface: {}.", self.light, self.factor),
-            "Below: way minus the product of the same two series with every wave kept.".to_owned(),
+            tr!(
+                "Light: {light}. Filter or surface: {factor}.",
+                light = self.light,
+                factor = self.factor
+            ),
+            said!("Below: way minus the product of the same two series with every wave kept.").to_owned(),
         ];
         Chart {
-            title: "The product by every way".to_owned(),
+            title: said!("The product by every way").to_owned(),
             y_label: if y_range.is_some() {
-                "light × surface (measured lines leave the picture)".to_owned()
+                said!("light × surface (measured lines leave the picture)").to_owned()
             } else {
-                "light × surface".to_owned()
+                said!("light × surface").to_owned()
             },
             y_range,
             series,
             residual: (!off.is_empty()).then(|| Panel {
-                y_label: "what folds or is cut".to_owned(),
+                y_label: said!("what folds or is cut").to_owned(),
                 y_range: None,
                 series: off,
             }),
@@ -174,7 +179,7 @@ impl Bench {
             return None;
         }
         let smooth = (self.band, &self.resampled.series_product[..], 1.0);
-        let looks = ("lines × surface", Ink::Overlay(1));
+        let looks = (said!("lines × surface"), Ink::Overlay(1));
         Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))
     }
 
@@ -184,48 +189,48 @@ impl Bench {
         let columns = Columns::<&Formed>::default()
             .with("way", |way| cell(way_name(way.sampling)))
             .titled(
-                "way",
-                "Way of forming the product. Click a row to form all products so.",
+                said!("way"),
+                said!("Way of forming the product. Click a row to form all products so."),
             )
             .with("points", |way| cell(way.points))
-            .figures("points", "Independent points, one multiplication each.")
+            .figures(said!("points"), said!("Independent points, one multiplication each."))
             .with("delta_e_2000_total", |way| {
                 let total = way.step.colours.delta_e_2000;
                 cell(total).shown(delta_e(total))
             })
             .figures(
-                "ΔE₀₀ total",
-                "CIEDE2000 of the model's product against measured light times measured surface; \
-                 the white is the light.",
+                said!("ΔE₀₀ total"),
+                said!("CIEDE2000 of the model's product against measured light times measured surface; \
+                 the white is the light."),
             )
             .with("delta_e_2000_added", |way| {
                 cell(way.step.added).shown(added_words(way.step.added))
             })
             .figures(
-                "added",
-                "CIEDE2000 against the exact product of the very same series: the part that \
-                 forming it adds.",
+                said!("added"),
+                said!("CIEDE2000 against the exact product of the very same series: the part that \
+                 forming it adds."),
             )
             .with("folded_share", |way| {
                 cell(way.step.folded_share).shown(share_words(way.step.folded_share))
             })
             .figures(
-                "folded",
-                "Alias meter: share of the product's power in waves that the points fold back, or \
-                 that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+                said!("folded"),
+                said!("Alias meter: share of the product's power in waves that the points fold back, or \
+                 that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %."),
             )
             .with("multiplications", |way| cell(way.step.multiplications))
             .figures(
-                "mult.",
-                "Multiplications of one product: one a point, or one a pair of numbers, and one a \
-                 line.",
+                said!("mult."),
+                said!("Multiplications of one product: one a point, or one a pair of numbers, and one a \
+                 line."),
             )
             .with("ns", |way| {
                 cell(time(way)).shown(or_dash(time(way), nanoseconds))
             })
             .figures(
                 "ns",
-                "Nanoseconds of one product, measured here and now: the median batch.",
+                said!("Nanoseconds of one product, measured here and now: the median batch."),
             );
         Table::new(self.head(app), columns, &self.resampled.ways)
     }
@@ -238,37 +243,37 @@ impl Bench {
                 cell(of(reading)).shown(decimals(of(reading), 4))
             })
         };
-        let cost = |way: usize, name: &str| {
+                let cost = |way: usize, name: &'static str| {
             column(
                 format!("{name}_delta_e_2000"),
                 move |(_, costs): &Row<'_>| cell(costs[way]).shown(delta_e(costs[way])),
             )
-            .figures(format!("{name} ΔE₀₀"), EQ_17_COST)
+            .figures(format!("{} ΔE₀₀", said(name)), said(EQ_17_COST))
         };
         let columns = Columns::<Row<'_>>::default()
             .with("at_nm", |(reading, _): &Row<'_>| {
-                cell(reading.spike.at_nm).shown(format!("{:.1}", reading.spike.at_nm))
+                cell(reading.spike.at_nm).shown(fixed(reading.spike.at_nm, 1))
             })
-            .figures("at nm", "The line's wavelength, nm.")
+            .figures(said!("at nm"), said!("The line's wavelength, nm."))
             .and(read("weight", |reading| reading.spike.weight))
             .and(read("measured", |reading| reading.measured))
-            .figures("measured", "The surface as measured there.")
+            .figures(said!("measured"), said!("The surface as measured there."))
             .and(read("series", |reading| reading.series))
             .figures(
-                "series",
-                "The surface's series evaluated exactly at the line, as this program does.",
+                said!("series"),
+                said!("The surface's series evaluated exactly at the line, as this program does."),
             )
             .and(read("corrected", |reading| reading.linear))
             .figures(
-                "corrected",
-                "Eq. 17 with its two weights exchanged: the straight line between two of the \
-                 paper's points.",
+                said!("corrected"),
+                said!("Eq. 17 with its two weights exchanged: the straight line between two of the \
+                 paper's points."),
             )
             .and(read("printed", |reading| reading.printed))
-            .figures("as printed", "Eq. 17 with its weights as printed.")
-            .and(cost(0, "series"))
-            .and(cost(1, "corrected"))
-            .and(cost(2, "printed"));
+            .figures(said!("as printed"), said!("Eq. 17 with its weights as printed."))
+            .and(cost(0, later!("series")))
+            .and(cost(1, later!("corrected")))
+            .and(cost(2, later!("printed")));
         Table::new(self.head(app), columns, &self.spikes.each)
     }
 
@@ -280,7 +285,7 @@ impl Bench {
 
 /// The cost of a reading of Eq. 17.
 pub const EQ_17_COST: &str =
-    "CIEDE2000 against the same product with this line weighed by the surface as measured there.";
+    later!("CIEDE2000 against the same product with this line weighed by the surface as measured there.");
 
 /// What forming a product adds; an exact zero is told as such.
 fn added_words(added: Option<f64>) -> String {

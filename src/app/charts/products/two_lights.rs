@@ -87,16 +87,16 @@ impl Found {
 fn pair_chart(app: &App, band: Band, pair: [&Surface; 2]) -> Chart {
     let names = pair.map(Surface::words);
     let curves = [0, 1].map(|i| (&names[i][..], &pair[i].values[..]));
-    two_curves(app, "The chosen pair", band, curves)
+    two_curves(app, said!("The chosen pair"), band, curves)
 }
 
 /// A patch and the metamer made for it.
 pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made) -> Chart {
     let patch = (&sheet.names[made.patch][..], &made.original[..]);
-    let curves = [patch, ("made", &made.values[..])];
+    let curves = [patch, (said!("made"), &made.values[..])];
     Chart {
         y_range: Some([0.0, 1.0]),
-        ..two_curves(app, "A surface and its metamer", sheet.band, curves)
+        ..two_curves(app, said!("A surface and its metamer"), sheet.band, curves)
     }
 }
 
@@ -113,7 +113,7 @@ fn two_curves(
     ];
     Chart {
         title: title.to_owned(),
-        y_label: "Reflectance".to_owned(),
+        y_label: said!("Reflectance").to_owned(),
         ..over_wavelength(app, band, series)
     }
 }
@@ -121,12 +121,15 @@ fn two_curves(
 fn over_wavelength(app: &App, band: Band, series: Vec<Series>) -> Chart {
     let document = app.document();
     let notes = vec![
-        format!("Light: {}", document.light.name()),
-        format!("Second light: {}", document.light_beside().name()),
-        format!(
-            "Range {}-{} nm.",
-            short(band.min_nm()),
-            short(band.max_nm())
+        tr!("Light: {light}", light = document.light.name()),
+        tr!(
+            "Second light: {light}",
+            light = document.light_beside().name()
+        ),
+        tr!(
+            "Range {from}-{to} nm.",
+            from = short(band.min_nm()),
+            to = short(band.max_nm())
         ),
     ];
     Chart {

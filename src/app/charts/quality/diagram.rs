@@ -146,9 +146,9 @@ pub fn diagram(lights: &[PlacedLight], shows: DiagramShows) -> Chart {
     };
     Chart {
         title: if shows.near {
-            "Near the light"
+            said!("Near the light")
         } else {
-            "Chromaticity"
+            said!("Chromaticity")
         }
         .to_owned(),
         x_label: x_label.to_owned(),

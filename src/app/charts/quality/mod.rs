@@ -4,6 +4,7 @@
 mod diagram;
 mod vectors;
 
+use crate::languages::{fixed, said};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -65,12 +66,12 @@ impl OfColours {
     /// A word or two, for a button.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Vectors => "Vectors",
-            Self::Fidelity => "Fidelity",
-            Self::Chroma => "Chroma",
-            Self::Hue => "Hue",
+            Self::Vectors => said!("Vectors"),
+            Self::Fidelity => said!("Fidelity"),
+            Self::Chroma => said!("Chroma"),
+            Self::Hue => said!("Hue"),
             Self::Samples => "CRI",
-            Self::Surfaces => "99 surfaces",
+            Self::Surfaces => said!("99 surfaces"),
         }
     }
 }
@@ -109,15 +110,15 @@ pub fn bin_bars(lights: &[(&str, &Fidelity)], what: OfBins) -> Chart {
             let at = i as f64 + 1.0 + place;
             let colour = of_bin(fidelity, bin);
             let bar = Series::bars("", colour, width, vec![[at, value]]);
-            series.push(bar.with_notes(vec![format!("{hue} under {name}")]));
+            series.push(bar.with_notes(vec![tr!("{hue} under {name}", hue = said(hue), name)]));
             second.extend((k == 1).then_some([at, value]));
         }
     }
     series.extend(caps(&second, width));
     let (title, unit, range) = match what {
-        OfBins::Fidelity => ("Fidelity of each hue", "Rf,h", [0.0, 100.0]),
-        OfBins::Chroma => ("Chroma shift of each hue", "%", [-40.0, 40.0]),
-        OfBins::Hue => ("Hue shift of each hue", "radians", [-0.5, 0.5]),
+        OfBins::Fidelity => (said!("Fidelity of each hue"), "Rf,h", [0.0, 100.0]),
+        OfBins::Chroma => (said!("Chroma shift of each hue"), "%", [-40.0, 40.0]),
+        OfBins::Hue => (said!("Hue shift of each hue"), said!("radians"), [-0.5, 0.5]),
     };
     Chart {
         title: beside(title, lights.iter().map(|(name, _)| *name)),
@@ -126,7 +127,7 @@ pub fn bin_bars(lights: &[(&str, &Fidelity)], what: OfBins) -> Chart {
         x_names: HUE_NAMES
             .iter()
             .enumerate()
-            .map(|(i, hue)| (i as f64 + 1.0, (*hue).to_owned()))
+            .map(|(i, hue)| (i as f64 + 1.0, said(hue).to_owned()))
             .collect(),
         y_range: Some(range),
         series,
@@ -138,7 +139,7 @@ pub fn bin_bars(lights: &[(&str, &Fidelity)], what: OfBins) -> Chart {
 fn beside<'n>(title: &str, names: impl Iterator<Item = &'n str>) -> String {
     let names: Vec<&str> = names.collect();
     match &names[..] {
-        [first, second] => format!("{title}: left {first}, right {second}"),
+        [first, second] => tr!("{title}: left {first}, right {second}", title, first, second),
         _ => title.to_owned(),
     }
 }
@@ -163,8 +164,8 @@ pub fn sample_bars(lights: &[(&str, &Rendering)]) -> Chart {
             let at = i as f64 + 1.0;
             lowest = lowest.min(sample.index);
             let under = [
-                (-1.0, sample.reference, "under the reference"),
-                (1.0, sample.test, "under this light"),
+                (-1.0, sample.reference, said!("under the reference")),
+                (1.0, sample.test, said!("under this light")),
             ];
             for (side, xyz, whose) in under {
                 // Of two lights each has the side of its place.
@@ -181,7 +182,7 @@ pub fn sample_bars(lights: &[(&str, &Rendering)]) -> Chart {
                 series.push(bar.with_notes(vec![format!(
                     "R{}, {}, {whose}: {:.0}",
                     i + 1,
-                    RENDERING_NAMES[i],
+                    said(RENDERING_NAMES[i]),
                     sample.index
                 )]));
             }
@@ -190,12 +191,15 @@ pub fn sample_bars(lights: &[(&str, &Rendering)]) -> Chart {
     series.extend(caps(&second, HALF));
     let names = (1..=RENDERING_NAMES.len()).map(|i| (i as f64, format!("R{i}")));
     let title = match lights {
-        [(_, rendering)] => format!("CRI: Ra {:.0}, the mean of R1 to R8", rendering.ra),
+        [(_, rendering)] => tr!(
+            "CRI: Ra {ra}, the mean of R1 to R8",
+            ra = fixed(rendering.ra, 0)
+        ),
         _ => beside("CRI", lights.iter().map(|(name, _)| *name)),
     };
     Chart {
         title,
-        x_label: "Test colour".to_owned(),
+        x_label: said!("Test colour").to_owned(),
         y_label: "Ri".to_owned(),
         x_range: [0.4, 15.6],
         x_names: names.collect(),
@@ -210,8 +214,8 @@ pub fn fidelity_bars(lights: &[(&str, &Fidelity)]) -> Chart {
     let lowest = lights.iter().map(|(name, fidelity)| {
         let lowest = fidelity.samples.iter().copied().fold(100.0, f64::min);
         match lights.len() {
-            1 => format!("Rf {lowest:.0} at worst"),
-            _ => format!("{name} {lowest:.0} at worst"),
+            1 => tr!("Rf {lowest} at worst", lowest = fixed(lowest, 0)),
+            _ => tr!("{name} {lowest} at worst", name, lowest = fixed(lowest, 0)),
         }
     });
     let lowest: Vec<String> = lowest.collect();
@@ -225,8 +229,8 @@ pub fn fidelity_bars(lights: &[(&str, &Fidelity)]) -> Chart {
         }
     });
     Chart {
-        title: format!("99 surfaces: {}", lowest.join(", ")),
-        x_label: "Sample CES".to_owned(),
+        title: tr!("99 surfaces: {lowest}", lowest = lowest.join(", ")),
+        x_label: said!("Sample CES").to_owned(),
         y_label: "Rf".to_owned(),
         x_range: [0.0, 100.0],
         y_range: Some([0.0, 100.0]),
@@ -255,15 +259,15 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
         let near = chosen.near_enough(exact);
         let upper = vec![[0.0, exact + near], [last, exact + near]];
         let lower = vec![exact - near; 2];
-        series.push(Series::area("near enough", Ink::Residual, upper, lower));
+        series.push(Series::area(said!("near enough"), Ink::Residual, upper, lower));
         let level = vec![[0.0, exact], [last, exact]];
-        series.push(Series::line("measured", Ink::Measured, level).dashed(Dash::Dashed));
+        series.push(Series::line(said!("measured"), Ink::Measured, level).dashed(Dash::Dashed));
     }
-    series.push(Series::line("model", Ink::Spikes, points.clone()));
+    series.push(Series::line(said!("model"), Ink::Spikes, points.clone()));
     series.push(Series::points("", Ink::Spikes, Shape::Dot, points));
     Chart {
-        title: format!("{} against waves", chosen.title()),
-        x_label: "Waves".to_owned(),
+        title: tr!("{figure} against waves", figure = chosen.title()),
+        x_label: said!("Waves").to_owned(),
         y_label: match chosen {
             Chosen::Cct => "CCT (K)".to_owned(),
             other => other.title().to_owned(),

@@ -1,5 +1,6 @@
 //! TM-30's colour vector graphic: the reference a circle on the hues, each light around it.
 
+use crate::languages::{fixed, said};
 use std::f64::consts::TAU;
 
 use super::{BLACK, ON_GROUND, WHITE, of_bin};
@@ -33,9 +34,9 @@ pub fn vector_graphic(lights: &[(&str, &Fidelity)], pointed: Option<usize>) -> C
     }
     series.push(stroke("", WHITE, circle(1.0), 3.4, Dash::Solid));
     let name = if lights.len() == 1 {
-        "reference"
+                said!("reference")
     } else {
-        "references"
+        said!("references")
     };
     series.push(stroke(name, [70; 3], circle(1.0), 1.8, Dash::Solid));
     for ((name, fidelity), inks) in lights.iter().zip(ON_GROUND) {
@@ -43,7 +44,7 @@ pub fn vector_graphic(lights: &[(&str, &Fidelity)], pointed: Option<usize>) -> C
     }
     series.push(names());
     let figures = lights.iter().map(|(name, found)| {
-        let said = format!("Rf {:.0}, Rg {:.0}", found.rf, found.rg);
+        let said = format!("Rf {}, Rg {}", fixed(found.rf, 0), fixed(found.rg, 0));
         if lights.len() == 1 {
             said
         } else {
@@ -52,8 +53,8 @@ pub fn vector_graphic(lights: &[(&str, &Fidelity)], pointed: Option<usize>) -> C
     });
     let figures: Vec<String> = figures.collect();
     Chart {
-        title: format!("Colour vectors: {}", figures.join("; ")),
-        x_label: "a′ over the reference's chroma".to_owned(),
+        title: tr!("Colour vectors: {figures}", figures = figures.join("; ")),
+        x_label: said!("a′ over the reference's chroma").to_owned(),
         y_label: "b′".to_owned(),
         x_range: [-REACH, REACH],
         y_range: Some([-1.75, 1.75]),
@@ -145,7 +146,12 @@ fn light(
             Series::points("", ink, Shape::Dot, vec![bin.test_ab]).sized(radius)
         };
         series.push(dot(edge, 4.6));
-        let note = format!("{hue} under {name}: Rf {:.0}", bin.rf);
+        let note = tr!(
+            "{hue} under {name}: Rf {rf}",
+            hue = said(hue),
+            name,
+            rf = fixed(bin.rf, 0)
+        );
         let colour = Ink::Own(of_bin(fidelity, bin));
         series.push(dot(colour, 3.6).with_notes(vec![note]));
     }
@@ -156,16 +162,17 @@ fn names() -> Series {
     let bins = HUE_NAMES.len() as f64;
     // The plain ones first: where there is little room the mixed ones are left out.
     let mixed = |name: &str| usize::from(name.contains(' ')) + usize::from(name.contains("ish"));
-    let mut words: Vec<(f64, &str)> = HUE_NAMES
+    let mut words: Vec<(f64, &'static str)> = HUE_NAMES
         .iter()
         .enumerate()
         .map(|(i, name)| (TAU * (i as f64 + 0.5) / bins, *name))
         .collect();
     words.sort_by_key(|(_, name)| mixed(name));
-    let words = words.into_iter().map(|(turn, name)| {
+        let words = words.into_iter().map(|(turn, name)| {
+        let name = said(name);
         // Words stand about their middle: the longer, the further out at the sides.
         let [x, y] = along(turn, NAMES);
-        let aside = HALF_A_LETTER * name.len() as f64 * turn.cos();
+        let aside = HALF_A_LETTER * name.chars().count() as f64 * turn.cos();
         ([x + aside, y], name.to_owned())
     });
     Series::new(

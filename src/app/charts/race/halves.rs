@@ -16,11 +16,11 @@ pub fn halves(ask: &RaceAsk, race: &Race, budget: usize) -> Option<Vec<Half>> {
         return None;
     }
     let measures = [
-        (Measure::Patches, "On the surfaces"),
-        (Measure::Filters, "Behind narrow filters"),
+        (Measure::Patches, said!("On the surfaces")),
+        (Measure::Filters, said!("Behind narrow filters")),
         (
             Measure::RmsBlurred,
-            "For the spectrum itself, behind a 10 nm blur",
+            said!("For the spectrum itself, behind a 10 nm blur"),
         ),
     ];
     let halves = measures.map(|(measure, title)| (title, sentences(race, budget, measure)));
@@ -63,15 +63,11 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
     let class = capitalised(class);
     let (composite, rival) = (composite.title(), rival_words(rival));
     Some(if ours.median < theirs.median {
-        format!(
-            "{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
-             {rival}."
-        )
+        tr!("{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
+             {rival}.", class, ours_words, composite, theirs_words, rival)
     } else {
-        format!(
-            "{class}: the composite loses: {rival} {theirs_words} against {ours_words} of the best \
-             composite ({composite})."
-        )
+        tr!("{class}: the composite loses: {rival} {theirs_words} against {ours_words} of the best \
+             composite ({composite}).", class, rival, theirs_words, ours_words, composite)
     })
 }
 

@@ -14,7 +14,8 @@ pub use winners::{Lamp, Winners, Won};
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
-        figures::SMALLEST,
+                figures::SMALLEST,
+        ticks::short,
         numbers,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
@@ -30,10 +31,10 @@ pub fn short_name(racer: Racer) -> String {
             let exact = part(way.colour_exact, " ex");
             return way.basis.title() + exact + part(way.spikes, " +l");
         }
-        Racer::WideLines => "Wide lines",
-        Racer::KnownLamps => "Known lamps",
+        Racer::WideLines => said!("Wide lines"),
+        Racer::KnownLamps => said!("Known lamps"),
         Racer::Rival(family) => family.about().short,
-        Racer::Chosen => "Chosen",
+        Racer::Chosen => said!("Chosen"),
     };
     name.to_owned()
 }
@@ -97,7 +98,7 @@ fn error_words(measure: Measure, error: Option<f64>) -> String {
 fn of_whom(ask: &RaceAsk, race: &Race, class: Option<&str>) -> String {
     let count = race.of_class(class).count();
     match class {
-        Some(class) if count > 1 => format!("{count} {class} lights"),
+        Some(class) if count > 1 => tr!("{count} {class} lights", count, class),
         _ if count > 1 => format!("{} ({count})", field_words(&ask.field)),
         _ => race
             .of_class(class)
@@ -122,7 +123,7 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
             notes.push(if many {
                 let [p95, worst] =
                     [spread.p95, spread.worst].map(|e| numbers::error(of_measure.shown(e)));
-                format!("95 % below {p95}, worst {worst}")
+                tr!("95 % below {p95}, worst {worst}", p95, worst)
             } else {
                 String::new()
             });
@@ -141,17 +142,24 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
     let last = race.budgets.last().map_or(1.0, |n| *n as f64);
     let room = (0.03 * (last - first)).max(0.5);
     let mut notes = race_notes(ask);
-    notes.push(format!(
-        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +l: with lines.",
-        if many {
-            "Medians over the lights. "
-        } else {
-            ""
-        }
-    ));
+        let smallest = short(SMALLEST);
+    notes.push(match many {
+        true => tr!(
+            "Medians over the lights. Below {smallest} an error is drawn at it. ex: colour-exact, \
+             +l: with lines.",
+            smallest
+        ),
+        false => tr!(
+            "Below {smallest} an error is drawn at it. ex: colour-exact, +l: with lines.",
+            smallest
+        ),
+    });
     Chart {
-        title: format!("Error against numbers: {}", of_whom(ask, race, class)),
-        x_label: "Numbers".to_owned(),
+        title: tr!(
+            "Error against numbers: {lights}",
+            lights = of_whom(ask, race, class)
+        ),
+        x_label: said!("Numbers").to_owned(),
         y_label: of_measure.with_unit(),
         x_range: [first - room, last + room],
         y_scale: Scale::Log10,
@@ -191,7 +199,11 @@ pub fn strip_chart(
     let numbers = race.budgets.get(budget).copied().unwrap_or_default();
     let names = errors.iter().enumerate();
     Chart {
-        title: format!("{}, {numbers} numbers each", of_whom(ask, race, class)),
+        title: tr!(
+            "{lights}, {numbers} numbers each",
+            lights = of_whom(ask, race, class),
+            numbers
+        ),
         y_label: of_measure.with_unit(),
         x_range: [-0.6, errors.len() as f64 - 0.4],
         x_names: names
@@ -199,8 +211,8 @@ pub fn strip_chart(
             .collect(),
         y_scale: Scale::Log10,
         series: vec![
-            dots("other ways", Ink::Measured, Shape::Ring, false),
-            dots("composites and known lamps", Ink::Spikes, Shape::Dot, true),
+            dots(said!("other ways"), Ink::Measured, Shape::Ring, false),
+            dots(said!("composites and known lamps"), Ink::Spikes, Shape::Dot, true),
         ],
         notes: race_notes(ask),
         ..Chart::default()
@@ -240,12 +252,13 @@ pub fn ahead(
     };
     let numbers = race.budgets.get(budget).copied().unwrap_or_default();
     match (best(false), best(true)) {
-        (Some(ours), Some(other)) => format!(
-            "{} in {numbers} numbers, {}: {}, best other {}.",
-            of_whom(ask, race, class),
-            measure.figure().title,
-            words(ours),
-            words(other),
+        (Some(ours), Some(other)) => tr!(
+            "{lights} in {numbers} numbers, {figure}: {ours}, best other {other}.",
+            lights = of_whom(ask, race, class),
+            numbers,
+            figure = measure.figure().title,
+            ours = words(ours),
+            other = words(other)
         ),
         _ => String::new(),
     }
@@ -283,12 +296,12 @@ pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usiz
     };
     let names = race.racers.iter().enumerate();
     Chart {
-        title: format!(
-            "Race at {} numbers: {}",
-            race.budgets[budget],
-            of_whom(ask, race, class)
+        title: tr!(
+            "Race at {budget} numbers: {lights}",
+            budget = race.budgets[budget],
+            lights = of_whom(ask, race, class)
         ),
-        x_label: "place".to_owned(),
+        x_label: said!("place").to_owned(),
         x_names: names
             .map(|(i, racer)| (i as f64 + 1.0, racer.title().to_owned()))
             .collect(),

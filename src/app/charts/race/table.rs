@@ -49,7 +49,7 @@ impl RaceCell {
         let [median, p95, worst] = figures(spread).map(|value| error(factor * value));
         Self {
             text: format!("{median} / {p95}"),
-            tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
+            tip: tr!("median {median}, 95 % below {p95}, worst {worst}", median, p95, worst),
             wins: false,
         }
     }
@@ -90,10 +90,10 @@ impl RaceTable {
             column
         };
         columns.extend(BEFORE_CHECK.map(of));
-        let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
-                     choice.";
+        let check = said!("Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
+                     choice.");
         columns.push(spread_column(
-            "check, ΔE₀₀",
+            said!("check, ΔE₀₀"),
             check,
             &rows,
             many,
@@ -122,17 +122,17 @@ impl RaceTable {
 /// What a racer is listed under.
 pub fn group(racer: Racer) -> &'static str {
     match racer {
-        Racer::Composite(_) => "Composites",
-        Racer::WideLines | Racer::KnownLamps => "Lines of their own width",
-        Racer::Rival(_) => "Other representations",
-        Racer::Chosen => "Chosen per light, by the surfaces",
+        Racer::Composite(_) => said!("Composites"),
+        Racer::WideLines | Racer::KnownLamps => said!("Lines of their own width"),
+        Racer::Rival(_) => said!("Other representations"),
+        Racer::Chosen => said!("Chosen per light, by the surfaces"),
     }
 }
 
 /// A racer's name in the table.
 pub fn name(racer: Racer) -> &'static str {
     match racer {
-        Racer::Chosen => "Best composite per light",
+        Racer::Chosen => said!("Best composite per light"),
         other => other.title(),
     }
 }
@@ -142,27 +142,28 @@ pub fn about(racer: Racer) -> String {
     let words = match racer {
         Racer::Composite(way) => {
             let spikes = if way.spikes {
-                "The heaviest lines are kept, as many as make the error behind a 10 nm blur least."
+                said!("The heaviest lines are kept, as many as make the error behind a 10 nm blur least.")
             } else {
-                "No lines."
+                said!("No lines.")
             };
-            let exact = if way.colour_exact {
-                " The light's own X, Y, Z are made exact."
-            } else {
-                ""
-            };
-            format!("{spikes}{exact}")
+                        match way.colour_exact {
+                true => {
+                    let exact = said!("The light's own X, Y, Z are made exact.");
+                    format!("{spikes} {exact}")
+                }
+                false => spikes.to_owned(),
+            }
         }
-        Racer::WideLines => "A short cosine series and lines of their own width, chosen together; \
-                             decoding needs the formula alone."
+        Racer::WideLines => said!("A short cosine series and lines of their own width, chosen together; \
+                             decoding needs the formula alone.")
             .to_owned(),
-        Racer::KnownLamps => "Up to two of the program's lamps, a short cosine series and lines \
+        Racer::KnownLamps => said!("Up to two of the program's lamps, a short cosine series and lines \
                               of their own width, chosen together; needs the program's list of \
-                              lamps. Neither the light at hand nor its likes are among them."
+                              lamps. Neither the light at hand nor its likes are among them.")
             .to_owned(),
         Racer::Rival(family) => family.about().meaning.to_owned(),
-        Racer::Chosen => "For each light the composite that is best on the surfaces: one of the \
-                          eight above again, so it wins nothing of its own."
+        Racer::Chosen => said!("For each light the composite that is best on the surfaces: one of the \
+                          eight above again, so it wins nothing of its own.")
             .to_owned(),
     };
     format!("{}. {words}", racer.title())
@@ -186,9 +187,10 @@ fn mark(rows: &[Row], cells: &mut [RaceCell], value: Value<'_>) {
 }
 
 fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Measure) {
-    let tip = format!(
-        "{} Light and reflectances are both approximated, with the same count of numbers.",
-        Measure::Patches.figure().meaning
+        let tip = format!(
+        "{} {}",
+        Measure::Patches.figure().meaning,
+        said!("Light and reflectances are both approximated, with the same count of numbers.")
     );
     if !many {
         let mut column = measured(Measure::Patches, &tip, rows, false);
@@ -200,9 +202,9 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
     type Part = fn(Spread) -> f64;
     let first = over(Measure::Patches);
     let parts: [(&str, Part, &str); 3] = [
-        (&first, |s| s.median, "Half of the lights are below."),
-        ("95 %", |s| s.p95, "95 % of the lights are below."),
-        ("worst", |s| s.worst, "The worst light."),
+        (&first, |s| s.median, said!("Half of the lights are below.")),
+        ("95 %", |s| s.p95, said!("95 % of the lights are below.")),
+            (said!("worst"), |s| s.worst, said!("The worst light.")),
     ];
     for (i, (title, part, more)) in parts.into_iter().enumerate() {
         let value = |row: &Row| row.spreads[Measure::Patches].map(part);
@@ -282,20 +284,23 @@ fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> Race
                 },
                 tip: match spikes {
                     0 => String::new(),
-                    1 => "One line at most, two numbers.".to_owned(),
-                    n => format!("Up to {n} lines, two numbers each."),
+                    1 => said!("One line at most, two numbers.").to_owned(),
+                    n => tr!("Up to {n} lines, two numbers each.", n),
                 },
                 wins: false,
             }
         })
         .collect();
-    let tip = "Numbers really spent: a table may have fewer components than asked for, and a \
-               wavelet coefficient takes two.";
-    column("numbers", tip, 58.0, cells)
+    let tip = said!("Numbers really spent: a table may have fewer components than asked for, and a \
+               wavelet coefficient takes two.");
+        column(said!("numbers"), tip, 58.0, cells)
 }
 
 fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str) {
-    let first = format!(" Measured in this run on {cost_of}, the light with most lines.");
+        let first = tr!(
+        "Measured in this run on {light}, the light with most lines.",
+        light = cost_of
+    );
     let mut add =
         |title: &str, tip: String, width: f32, value: Value<'_>, text: &dyn Fn(f64) -> String| {
             let mut cells: Vec<RaceCell> = rows
@@ -306,43 +311,49 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
             columns.push(column(title, &tip, width, cells));
         };
     let lobes = if many {
-        "Share of the lights whose smooth part goes below -0.1 % of the peak, percent."
+        said!("Share of the lights whose smooth part goes below -0.1 % of the peak, percent.")
     } else {
-        "The smooth part goes below -0.1 % of the peak, or not."
+        said!("The smooth part goes below -0.1 % of the peak, or not.")
     };
     add(
-        if many { "below 0 %" } else { "below 0" },
+        if many { said!("below 0 %") } else { said!("below 0") },
         lobes.to_owned(),
         54.0,
         &|row| Some(row.negative_lobes),
         &|share| match (many, share > 0.0) {
             (true, _) => format!("{:.0}", 100.0 * share),
-            (false, true) => "yes".to_owned(),
-            (false, false) => "no".to_owned(),
+                        (false, true) => said!("yes").to_owned(),
+            (false, false) => said!("no").to_owned(),
         },
     );
     add(
-        "ns/product",
+                said!("ns/product"),
         format!(
-            "Time from the stored numbers of a light and a reflectance to the values of their \
-             product, nanoseconds. Samples and boxes multiply their own few values; the others \
-             are read at points first.{first}"
+            "{} {first}",
+            said!(
+                "Time from the stored numbers of a light and a reflectance to the values of their \
+                 product, nanoseconds. Samples and boxes multiply their own few values; the others \
+                 are read at points first."
+            )
         ),
         82.0,
         &|row| row.cost.map(|c| c.ns_per_product),
         &nanoseconds,
     );
     add(
-        "ns/value",
-        format!("Time for one value at one wavelength, nanoseconds.{first}"),
+                said!("ns/value"),
+        format!(
+            "{} {first}",
+            said!("Time for one value at one wavelength, nanoseconds.")
+        ),
         76.0,
         &|row| row.cost.map(|c| c.ns_per_evaluation),
         &nanoseconds,
     );
     add(
-        "bytes",
-        "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes \
-         2, and wide lines and known lamps have words of 4."
+                said!("bytes"),
+        said!("Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes \
+         2, and wide lines and known lamps have words of 4.")
             .to_owned(),
         62.0,
         &|row| row.cost.map(|c| c.bytes as f64),
@@ -355,15 +366,15 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
 fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
     for (title, tip, yes) in [
         (
-            "portable",
-            "Numbers that mean something by themselves; principal components need their table, \
-             known lamps the list of lamps.",
+                        said!("portable"),
+            said!("Numbers that mean something by themselves; principal components need their table, \
+             known lamps the list of lamps."),
             (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
         ),
         (
-            "flexible",
-            "One fit that can be cut anywhere: fewer numbers are the first of more. With lines or \
-             colour-exact every count is a fit of its own.",
+                        said!("flexible"),
+            said!("One fit that can be cut anywhere: fewer numbers are the first of more. With lines or \
+             colour-exact every count is a fit of its own."),
             Racer::is_prefix,
         ),
     ] {
@@ -372,7 +383,13 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
             tip,
             58.0,
             rows.iter()
-                .map(|row| RaceCell::of(if yes(row.racer) { "yes" } else { "no" }.to_owned()))
+                .map(|row| RaceCell::of(
+                    match yes(row.racer) {
+                        true => said!("yes"),
+                        false => said!("no"),
+                    }
+                    .to_owned(),
+                ))
                 .collect(),
         ));
     }

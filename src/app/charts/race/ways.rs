@@ -2,6 +2,7 @@
 //! no part in any choice, and the cells that are won.
 
 use super::RaceCell;
+use crate::languages::{Language, fixed, spoken};
 use crate::{
     app::{numbers, race_report::in_cells, studies::RaceAsk},
     study::{
@@ -46,7 +47,7 @@ fn per_cent(won: usize, of: usize) -> String {
     }
     (1000 * won + of / 2).checked_div(of).map_or_else(
         || "–".to_owned(),
-        |tenths| format!("{:.1} %", tenths.min(999) as f64 / 10.0),
+                |tenths| format!("{} %", fixed(tenths.min(999) as f64 / 10.0, 1)),
     )
 }
 
@@ -76,21 +77,7 @@ impl Ways {
         let budgets: Vec<String> = counts.iter().map(usize::to_string).collect();
         Some(Self {
             sentence: sentence(race, &won),
-            how: format!(
-                "A cell is an error, {}a count of numbers ({}). {} No table holds the light at hand or its likes; the 99 \
-                 samples of TM-30 and filters between those of the choice judge.",
-                match race.lamps.len() {
-                    1 => "and ",
-                    _ => "its median, 95th percentile or worst, a class of lights and ",
-                },
-                budgets.join(", "),
-                if ask.strict {
-                    "Strictly counted: a line takes three numbers, a known lamp two, the label one."
-                } else {
-                    "Numbers are words of 32 bits: a line takes two, a known lamp one, the label \
-                     one."
-                }
-            ),
+                        how: how(race.lamps.len(), &budgets.join(", "), ask.strict),
             counts: won,
         })
     }
@@ -102,7 +89,7 @@ impl Ways {
                 .iter()
                 .map(|(peer, won, of)| format!("{won} of {of} against {}", peer.word()));
             let against: Vec<String> = against.collect();
-            format!("cells won by {}: {}", ours.word(), against.join(", "))
+                        format!("cells won by {}: {}", ours.word(), against.join(", "))
         };
         let lines = self.counts.iter().map(line);
         lines.chain([self.sentence.clone()]).collect()
@@ -149,10 +136,7 @@ fn cell(spread: Option<Spread>, error: Judged) -> RaceCell {
 }
 
 fn sentence(race: &Race, counts: &[Won]) -> String {
-    let who = match &race.lamps[..] {
-        [(name, _)] => format!("On {name}"),
-        lamps => format!("On {} lights", lamps.len()),
-    };
+    
     let said = counts.iter().filter_map(|(ours, against)| {
         let peers = || against.iter().filter(|(peer, ..)| *peer != Racer::Chosen);
         let won: usize = peers().map(|(_, won, _)| won).sum();
@@ -162,26 +146,59 @@ fn sentence(race: &Race, counts: &[Won]) -> String {
             .filter(|count| share(count).is_some())
             .min_by_key(share)?;
         let (peer, least_won, least_of) = least;
-        let title = match ours {
-            Racer::KnownLamps => "known lamps with wide lines",
-            _ => "wide lines alone",
+                let share = per_cent(won, of);
+        let least = per_cent(*least_won, *least_of);
+        // In the middle of a sentence; only English writes all of it small.
+        let peer = match spoken() {
+            Language::English => peer.title().to_lowercase(),
+            _ => peer.title().to_owned(),
         };
-        let least = if won == of {
-            String::new()
-        } else {
-            let share = per_cent(*least_won, *least_of);
-            format!(", least against {} ({share})", peer.title().to_lowercase())
-        };
-        Some(format!(
-            "{title} are ahead of the other representations in {won} of {of} cells ({}){least}",
-            per_cent(won, of)
-        ))
+        Some(match (ours, won == of) {
+            (Racer::KnownLamps, true) => tr!(
+                "known lamps with wide lines are ahead of the other representations in {won} of \
+                 {of} cells ({share})",
+                won,
+                of,
+                share
+            ),
+            (Racer::KnownLamps, false) => tr!(
+                "known lamps with wide lines are ahead of the other representations in {won} of \
+                 {of} cells ({share}), least against {peer} ({least})",
+                won,
+                of,
+                share,
+                peer,
+                least
+            ),
+            (_, true) => tr!(
+                "wide lines alone are ahead of the other representations in {won} of {of} cells \
+                 ({share})",
+                won,
+                of,
+                share
+            ),
+            (_, false) => tr!(
+                "wide lines alone are ahead of the other representations in {won} of {of} cells \
+                 ({share}), least against {peer} ({least})",
+                won,
+                of,
+                share,
+                peer,
+                least
+            ),
+        })
     });
-    let said: Vec<String> = said.collect();
-    if said.is_empty() {
-        return format!("{who} there is nothing to compare.");
+    let clauses: Vec<String> = said.collect();
+    let clauses = clauses.join("; ");
+    match (&race.lamps[..], clauses.is_empty()) {
+        ([(name, _)], true) => tr!("On {name} there is nothing to compare.", name),
+        ([(name, _)], false) => tr!("On {name}, {clauses}.", name, clauses),
+        (lamps, true) => tr!(
+            "On {count} lights there is nothing to compare.",
+            count = lamps.len()
+        ),
+        (lamps, false) => tr!("On {count} lights, {clauses}.", count = lamps.len(), clauses),
     }
-    format!("{who}, {}.", said.join("; "))
 }
 
 #[cfg(test)]

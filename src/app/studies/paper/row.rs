@@ -26,10 +26,10 @@ impl Verdict {
     /// The verdict in words; a condition follows `OnlyIf` and `Open`.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Holds => "holds",
-            Self::OnlyIf => "holds only",
-            Self::Fails => "does not hold",
-            Self::Open => "nothing to measure",
+            Self::Holds => said!("holds"),
+            Self::OnlyIf => said!("holds only"),
+            Self::Fails => said!("does not hold"),
+            Self::Open => said!("nothing to measure"),
         }
     }
 
@@ -66,7 +66,7 @@ impl Row {
     pub fn verdict_words(&self) -> String {
         match (self.verdict, self.condition.is_empty()) {
             (verdict, true) => verdict.words().to_owned(),
-            (Verdict::OnlyIf, false) => format!("holds only {}", self.condition),
+            (Verdict::OnlyIf, false) => tr!("holds only {condition}", condition = self.condition),
             (verdict, false) => format!("{}: {}", verdict.words(), self.condition),
         }
     }
@@ -85,7 +85,7 @@ pub fn off_percent(missing: f64) -> String {
 /// Three figures in a row: `0.1, 0.2 and 0.3`.
 pub fn three(words: [String; 3]) -> String {
     let [x, y, z] = words;
-    format!("{x}, {y} and {z}")
+    tr!("{x}, {y} and {z}", x, y, z)
 }
 
 pub(super) fn range(band: Band) -> String {

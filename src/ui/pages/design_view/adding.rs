@@ -14,11 +14,22 @@ use crate::{
         },
     },
     design::mixture::Source,
+    languages::said,
     ui::{
         kit::{Chooser, lights, transmittances},
         pages::PageContext,
     },
 };
+
+/// What lists say that only add.
+const ANY_LIGHT: &str = later!("Any light");
+const GEL: &str = later!("Gel");
+
+/// A width that was chosen for an English text, the wider the longer it is in the language spoken.
+fn fitting(width: f32, english: &'static str) -> f32 {
+    let letters = |words: &str| words.chars().count() as f32;
+    width * (letters(said(english)) / letters(english)).max(1.0)
+}
 
 /// What joins the desk.
 pub(super) fn add_row(
@@ -31,14 +42,15 @@ pub(super) fn add_row(
     let is_full = desk.mix.channels.len() >= MOST_CHANNELS;
     ui.add_enabled_ui(!is_full, |ui| {
         ui.horizontal_wrapped(|ui| {
-            ui.weak("Add");
-            let line = ui.menu_button("Line", |ui| {
+            ui.weak(said!("Add"));
+            let line = ui.menu_button(said!("Line"), |ui| {
                 if let Some(line) = strips::line_menu(ui, lines) {
                     new = Some(Source::Line { at_nm: line });
                 }
             });
-            line.response
-                .on_hover_text("A line without width, at the place of one that has a name.");
+            line.response.on_hover_text(said!(
+                "A line without width, at the place of one that has a name."
+            ));
             let mut button = |title: &str, meaning: &str, source: Source| {
                 if ui.button(title).on_hover_text(meaning).clicked() {
                     new = Some(source);
@@ -46,28 +58,28 @@ pub(super) fn add_row(
             };
             button(
                 "LED",
-                "A Gaussian with a centre and a full width at half its height.",
+                said!("A Gaussian with a centre and a full width at half its height."),
                 Source::Gauss {
                     centre_nm: 500.0,
                     fwhm_nm: 20.0,
                 },
             );
             button(
-                "Blackbody",
-                "The light of a glowing body of a temperature.",
+                said!("Blackbody"),
+                said!("The light of a glowing body of a temperature."),
                 Source::Blackbody { kelvin: 2700.0 },
             );
             button(
-                "Daylight",
-                "Daylight of a temperature, by the CIE's components.",
+                said!("Daylight"),
+                said!("Daylight of a temperature, by the CIE's components."),
                 Source::Daylight { kelvin: 6500.0 },
             );
             let chosen = Chooser {
-                name: "A light to mix",
-                meaning: "Any light of the library, shipped or your own, as a channel.",
-                says: "Any light",
+                name: said!("A light to mix"),
+                meaning: said!("Any light of the library, shipped or your own, as a channel."),
+                says: said(ANY_LIGHT),
                 offers: lights,
-                width: 70.0 * context.theme.scale,
+                width: fitting(70.0, ANY_LIGHT) * context.theme.scale,
             }
             .show(ui, context.app);
             if let Some(light) = chosen {
@@ -87,12 +99,13 @@ fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         return;
     }
     let gel = Chooser {
-        name: "A gel before the lamps",
-        meaning: "A filter or glass of the library, or of a file that was opened, before all \
-                  channels.",
-        says: "Gel",
+        name: said!("A gel before the lamps"),
+        meaning: said!(
+            "A filter or glass of the library, or of a file that was opened, before all channels."
+        ),
+        says: said(GEL),
         offers: transmittances,
-        width: 40.0 * context.theme.scale,
+        width: fitting(40.0, GEL) * context.theme.scale,
     }
     .show(ui, context.app);
     if let Some(gel) = gel {

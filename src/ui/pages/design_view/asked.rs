@@ -30,10 +30,10 @@ pub(super) fn asked(
     let mut given = before.given.clone();
     let scale = context.theme.scale;
     form(ui, "colour asked for", |form| {
-        let meaning = "As a screen's colour, or by three numbers.";
-        form.row(("Colour", meaning), |ui, _| {
+        let meaning = said!("As a screen's colour, or by three numbers.");
+        form.row((said!("Colour"), meaning), |ui, _| {
             let choice = Choice {
-                name: "How a colour is told",
+                name: said!("How a colour is told"),
                 meaning,
                 width: 60.0 * scale,
             };
@@ -45,26 +45,26 @@ pub(super) fn asked(
         });
         let says = match given.surface() {
             Some(key) => &context.app.document().name_of(key),
-            None => "a surface",
+            None => said!("a surface"),
         };
         let chooser = Chooser {
-            name: "Surface to start from",
-            meaning: "A measured surface: how well would its colour alone have told it?",
+            name: said!("Surface to start from"),
+            meaning: said!("A measured surface: how well would its colour alone have told it?"),
             says,
             offers: reflectances,
             width: 150.0 * scale,
         };
-        let named = ("or that of", chooser.meaning);
+        let named = (said!("or that of"), chooser.meaning);
         let surface = form.row(named, |ui, _| chooser.show(ui, context.app));
         let says = &context.app.document().name_of(&before.light);
         let chooser = Chooser {
-            name: "Light that the colour is seen under",
-            meaning: "Another light makes other surfaces of the same colour.",
+            name: said!("Light that the colour is seen under"),
+            meaning: said!("Another light makes other surfaces of the same colour."),
             says,
             offers: lights,
             width: 150.0 * scale,
         };
-        let named = ("seen under", chooser.meaning);
+        let named = (said!("seen under"), chooser.meaning);
         let light = form.row(named, |ui, _| chooser.show(ui, context.app));
         let asked = &mut context.pages.from_colour;
         if let Some(light) = light {
@@ -91,18 +91,18 @@ fn second(
     let before = context.pages.from_colour.clone();
     ui.horizontal_wrapped(|ui| {
         let mut is_on = before.second.is_some();
-        let check = ui.checkbox(&mut is_on, "and under a second light");
-        check.on_hover_text(
-            "The same surface's colours under two lights tell more about it: six numbers.",
-        );
+        let check = ui.checkbox(&mut is_on, said!("and under a second light"));
+        check.on_hover_text(said!(
+            "The same surface's colours under two lights tell more about it: six numbers."
+        ));
         let second = &context.app.document().second;
         let usual = second.as_ref().map_or(UNDER[1], |entry| &entry.key);
         let key = before.second.as_ref().map_or(usual, |(_, key)| key);
         let mut chosen = (is_on && before.second.is_none()).then(|| key.to_owned());
         if is_on {
             let light = Chooser {
-                name: "Second light",
-                meaning: "The light under which the second colour was seen.",
+                name: said!("Second light"),
+                meaning: said!("The light under which the second colour was seen."),
                 says: &context.app.document().name_of(key),
                 offers: lights,
                 width: 130.0 * context.theme.scale,
@@ -122,7 +122,7 @@ fn second(
         return;
     };
     ui.horizontal_wrapped(|ui| {
-        ui.label("where it is");
+        ui.label(said!("where it is"));
         told(ui, context, (sheet, 1), &mut given, typed);
     });
     context.pages.from_colour.second = Some((given, key));
@@ -144,7 +144,6 @@ fn told(
             [seen.xyz, seen.white]
         });
     let now = telling.told(given, xyz, white);
-    let of = ["", " under the second light"][index.min(1)];
     match telling.numbers() {
         Some(numbers) => {
             let mut after = now;
@@ -155,7 +154,14 @@ fn told(
                     .range(least..=most)
                     .speed(3.0 * 0.1_f64.powi(told.digits as i32))
                     .fixed_decimals(told.digits);
-                number(ui, field, &format!("{}{of}", told.title)).on_hover_text(telling.meaning());
+                let name = match index {
+                    0 => told.title.to_owned(),
+                    _ => tr!(
+                        "{coordinate} under the second light",
+                        coordinate = told.title
+                    ),
+                };
+                number(ui, field, &name).on_hover_text(telling.meaning());
             }
             if after != now {
                 *given = telling.given(after);
@@ -163,7 +169,7 @@ fn told(
         }
         None => {
             let rgb = now.map(|v| v as u8);
-            if let Some(rgb) = picked(ui, context, rgb, (index, of), typed) {
+            if let Some(rgb) = picked(ui, context, rgb, index, typed) {
                 *given = Given::Srgb(rgb);
             }
         }
@@ -175,13 +181,16 @@ fn picked(
     ui: &mut Ui,
     context: &PageContext<'_>,
     now: [u8; 3],
-    (index, of): (usize, &str),
+    index: usize,
     typed: &mut Option<(usize, String)>,
 ) -> Option<[u8; 3]> {
     let mut rgb = now;
     let picker = ui.color_edit_button_srgb(&mut rgb);
-    let name = format!("Pick a colour{of}");
-    named(&picker, egui::Role::ColorWell, &name);
+    let name = match index {
+        0 => said!("Pick a colour"),
+        _ => said!("Pick a colour under the second light"),
+    };
+    named(&picker, egui::Role::ColorWell, name);
     picker.on_hover_text(Telling::Srgb.meaning());
     let mut found = (rgb != now).then_some(rgb);
     let [r, g, b] = now;
@@ -192,8 +201,11 @@ fn picked(
     );
     let width = 72.0 * context.theme.scale;
     let edit = ui.add(TextEdit::singleline(&mut text).desired_width(width));
-    let name = format!("Colour in hexadecimal{of}");
-    named(&edit, egui::Role::TextInput, &name);
+    let name = match index {
+        0 => said!("Colour in hexadecimal"),
+        _ => said!("Colour in hexadecimal under the second light"),
+    };
+    named(&edit, egui::Role::TextInput, name);
     if edit.changed() {
         found = of_hex(&text).or(found);
         *typed = Some((index, text));
@@ -201,6 +213,6 @@ fn picked(
     if edit.lost_focus() {
         *typed = None;
     }
-    edit.on_hover_text("sRGB in hexadecimal, such as #c08040.");
+    edit.on_hover_text(said!("sRGB in hexadecimal, such as #c08040."));
     found
 }

@@ -18,6 +18,7 @@ use crate::{
     },
     color::Swatch,
     design::recover::Method,
+    languages::fixed,
     ui::{
         kit::{
             Chooser, Column, GROUP, Row, column, down, drawing, headline, lights, number,
@@ -56,8 +57,8 @@ impl DesignView {
         headline(ui, context.theme, words);
         ui.add_space(GROUP);
         let field = |ui: &mut Ui, context: &PageContext<'_>| {
-            let meaning = "Its colour as bright as the screen can show it.";
-            let named = ("The colour", meaning);
+            let meaning = said!("Its colour as bright as the screen can show it.");
+            let named = (said!("The colour"), meaning);
             large_swatch(ui, context, [swatch::colour(colour); 2], named, ["", ""]);
         };
         let sheet = shown.as_ref().ok().map(|shown| &shown.sheet);
@@ -101,27 +102,29 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
     let Ok(shown) = shown else { return };
     let sheet = &shown.sheet;
     ui.add_space(GROUP);
-    ui.strong("Spectra that have it");
+    ui.strong(said!("Spectra that have it"));
     let columns = [
         Column::words(
-            "way",
-            "Click the one to take. Three coefficients for one colour, six for two are the paper's \
-             Eq. 18.",
+            said!("way"),
+            said!(
+                "Click the one to take. Three coefficients for one colour, six for two are the \
+                 paper's Eq. 18."
+            ),
             2.0,
         ),
         Column::words(
-            "values",
-            "Lowest and highest value; a surface is within 0 to 1.",
+            said!("values"),
+            said!("Lowest and highest value; a surface is within 0 to 1."),
             1.8,
         ),
         Column::numbers(
             "ΔE₀₀",
-            "Round trip: how far its colour is from the one asked for (CIEDE2000).",
+            said!("Round trip: how far its colour is from the one asked for (CIEDE2000)."),
             0.75,
         ),
         Column::numbers(
-            "× error",
-            "Condition number: by how much it makes errors of the colour larger.",
+            said!("× error"),
+            said!("Condition number: by how much it makes errors of the colour larger."),
             0.7,
         ),
     ];
@@ -151,22 +154,28 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
         let is_surface = method != Method::Lines;
         for (title, meaning, place, is_there) in [
             (
-                "To the library",
-                "Keeps it as one of your own spectra and shows it. It follows the lights and the \
-                 surface that it was made from.",
+                said!("To the library"),
+                said!(
+                    "Keeps it as one of your own spectra and shows it. It follows the lights and \
+                     the surface that it was made from."
+                ),
                 MadeFor::Shown,
                 true,
             ),
             (
-                "Into the chain",
-                "Puts it at the end of what the light meets, on the page Chain; it joins the \
-                 library too.",
+                said!("Into the chain"),
+                said!(
+                    "Puts it at the end of what the light meets, on the page Chain; it joins the \
+                     library too."
+                ),
                 MadeFor::Chain,
                 is_surface,
             ),
             (
-                "To the surfaces",
-                "Puts it behind the surfaces of the page Spectrum; it joins the library too.",
+                said!("To the surfaces"),
+                said!(
+                    "Puts it behind the surfaces of the page Spectrum; it joins the library too."
+                ),
                 MadeFor::Patches,
                 is_surface,
             ),
@@ -174,7 +183,7 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
             let button = ui
                 .add_enabled(is_there, egui::Button::new(title))
                 .on_hover_text(meaning)
-                .on_disabled_hover_text("A light of lines is no surface.");
+                .on_disabled_hover_text(said!("A light of lines is no surface."));
             if button.clicked() {
                 let recipe = context.pages.from_colour.recipe();
                 context.commands.push(Command::Make { recipe, place });
@@ -186,26 +195,26 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
 /// The lines of a light of lines, and what stands behind them.
 fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        ui.label("Lines at");
+        ui.label(said!("Lines at"));
         let places = &mut context.pages.from_colour.lines;
         for (i, nm) in places.iter_mut().enumerate() {
             let place = DragValue::new(nm)
                 .range(380.0..=780.0)
                 .speed(0.2)
                 .max_decimals(1);
-            number(ui, place, &format!("Line {}", i + 1));
+            number(ui, place, &tr!("Line {number}", number = i + 1));
         }
-        if places.len() < 8 && pressed_small(ui, "+", "One line more.") {
+        if places.len() < 8 && pressed_small(ui, "+", said!("One line more.")) {
             places.push(600.0);
         }
-        if places.len() > 1 && pressed_small(ui, "−", "The last line goes.") {
+        if places.len() > 1 && pressed_small(ui, "−", said!("The last line goes.")) {
             places.pop();
         }
-        ui.label("nm over the glow of");
+        ui.label(said!("nm over the glow of"));
         let lamp = context.pages.from_colour.lamp.clone();
         let chosen = Chooser {
-            name: "Lamp whose glow stands behind the lines",
-            meaning: "Its lines are taken out; what is left is the background's shape.",
+            name: said!("Lamp whose glow stands behind the lines"),
+            meaning: said!("Its lines are taken out; what is left is the background's shape."),
             says: &context.app.document().name_of(&lamp),
             offers: lights,
             width: 110.0 * context.theme.scale,
@@ -228,13 +237,20 @@ fn drawn(
     let Shown { sheet, chart } = &**shown;
     context.chart(ui, chart, "from a colour", size);
     ui.add_space(4.0);
-    let few = ["three", "six"][(sheet.seen.len() - 1).min(1)];
-    let words = match sheet.surface {
-        Some(_) => format!("Under other lights: smoothest, {few} coefficients, the surface itself"),
-        None => format!("Under other lights: smoothest, {few} coefficients"),
+    let words = match (sheet.surface.is_some(), sheet.seen.len() > 1) {
+        (true, false) => {
+            said!("Under other lights: smoothest, three coefficients, the surface itself")
+        }
+        (true, true) => {
+            said!("Under other lights: smoothest, six coefficients, the surface itself")
+        }
+        (false, false) => said!("Under other lights: smoothest, three coefficients"),
+        (false, true) => said!("Under other lights: smoothest, six coefficients"),
     };
     let words = ui.label(RichText::new(words).strong());
-    words.on_hover_text("Each as an eye adapted to that light sees it (Bradford).");
+    words.on_hover_text(said!(
+        "Each as an eye adapted to that light sees it (Bradford)."
+    ));
     let count = sheet.under.len() as f32;
     let gap = ui.spacing().item_spacing.x;
     let width = ((ui.available_width() - gap * (count - 1.0)) / count).max(60.0);
@@ -252,7 +268,7 @@ fn predicted(ui: &mut Ui, context: &PageContext<'_>, under: &Under, width: f32) 
         ui.set_min_width(width);
         ui.set_max_width(width);
         let field = vec2(width, 52.0 * context.theme.scale);
-        let name = format!("Under {}", under.light);
+        let name = tr!("Under {light}", light = under.light);
         let (rect, response) = drawing(ui, field, egui::Sense::hover(), &name);
         let all = [Some(under.smoothest), under.fourier, under.real];
         let all: Vec<Swatch> = all.into_iter().flatten().collect();
@@ -272,7 +288,7 @@ fn predicted(ui: &mut Ui, context: &PageContext<'_>, under: &Under, width: f32) 
         response.on_hover_text(format!("{name}: {}", hexes.join(", ")));
         ui.add(egui::Label::new(RichText::new(&under.light).small()).truncate());
         if let Some(differs) = under.differs {
-            ui.small(format!("ΔE₀₀ {differs:.1}"));
+            ui.small(format!("ΔE₀₀ {}", fixed(differs, 1)));
         }
     });
 }

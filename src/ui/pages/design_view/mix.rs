@@ -150,7 +150,7 @@ impl DesignView {
         size: Vec2,
     ) {
         card(ui, size, |ui| {
-            ui.strong("Channels");
+            ui.strong(said!("Channels"));
             add_row(ui, context, desk, lines);
             ui.add_space(6.0);
             let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
@@ -175,18 +175,20 @@ impl DesignView {
         second: Option<&Second>,
     ) {
         ui.horizontal(|ui| {
-            ui.label("Aim at");
+            ui.label(said!("Aim at"));
             let words = context.pages.solve.colour_words(context.app.document());
             let choice = Choice {
-                name: "The colour that is aimed at",
-                meaning: "The ring in the diagram, which can be dragged too. The page Solve has \
-                          lights and x, y.",
+                name: said!("The colour that is aimed at"),
+                meaning: said!(
+                    "The ring in the diagram, which can be dragged too. The page Solve has lights \
+                     and x, y."
+                ),
                 width: 110.0 * context.theme.scale,
             };
             choice.cut(ui, words, |ui| {
                 if let Some(second) = second
                     && ui
-                        .button(format!("the colour of {}", second.name))
+                        .button(tr!("the colour of {light}", light = second.name))
                         .clicked()
                 {
                     context.pages.solve.light = Some(second.key.clone());
@@ -204,9 +206,11 @@ impl DesignView {
                     }
                 }
             });
-            let button = egui::Button::new("Solve").fill(ui.visuals().selection.bg_fill);
-            let meaning = "Sets the faders so that the mixture has this colour, and among such \
-                           mixtures the best: the page Solve says at what. One step of undo.";
+            let button = egui::Button::new(said!("Solve")).fill(ui.visuals().selection.bg_fill);
+            let meaning = said!(
+                "Sets the faders so that the mixture has this colour, and among such mixtures the \
+                 best: the page Solve says at what. One step of undo."
+            );
             if ui.add(button).on_hover_text(meaning).clicked() {
                 let wish = context.pages.solve.clone();
                 let solved = self.solved.get(context.app, &wish, desk, Care::Full);
@@ -302,19 +306,23 @@ impl DesignView {
         column(ui, size, |ui| {
             let scale = context.theme.scale;
             let wide = vec2(size.x, 56.0 * scale);
-            let name = "Colour of the mixture";
+            let name = said!("Colour of the mixture");
             let (rect, response) = drawing(ui, wide, egui::Sense::hover(), name);
             ui.painter()
                 .rect_filled(rect, 4.0, context.theme.swatch_ground);
             let own = swatch::colour(desk.swatch().rgb8);
             let its = second.map(|second| swatch::colour(second.desk.swatch().rgb8));
             swatch::paint_split(ui, rect.shrink(8.0), own, its.unwrap_or(own));
-            let words = "as bright as the screen can show it";
             response.on_hover_text(match second {
                 Some(Second { name, .. }) => {
-                    format!("Left the mixture, right {name}, beside daylight, each {words}.")
+                    tr!(
+                        "Left the mixture, right {light}, beside daylight, each as bright as the \
+                         screen can show it.",
+                        light = name
+                    )
                 }
-                None => format!("As it looks beside daylight, {words}."),
+                None => said!("As it looks beside daylight, as bright as the screen can show it.")
+                    .to_owned(),
             });
             ui.add_space(8.0);
             let figures = desk.main_figures();

@@ -33,21 +33,21 @@ impl DesignView {
     pub(super) fn photo(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.horizontal_wrapped(|ui| {
             let words = match self.photo {
-                None => "Picture…",
-                Some(_) => "Another picture…",
+                None => said!("Picture…"),
+                Some(_) => said!("Another picture…"),
             };
-            let opens = ui.button(words).on_hover_text(
+            let opens = ui.button(words).on_hover_text(said!(
                 "Opens a picture (PNG) whose pixels can be clicked for their colours; or drop one \
-                 on this page.",
-            );
+                 on this page."
+            ));
             if opens.clicked() {
                 context.wishes.push(PageWish::OpenPicture);
             }
-            let (name, meaning) = ("Close the picture", "Takes the picture away.");
+            let (name, meaning) = (said!("Close the picture"), said!("Takes the picture away."));
             if self.photo.is_some() && sign_button(ui, "✖", name, meaning) {
                 self.photo = None;
             }
-            ui.weak("or right click a swatch on any page");
+            ui.weak(said!("or right click a swatch on any page"));
         });
         let Some(path) = &self.photo else {
             self.drawn_photo = None;
@@ -55,7 +55,7 @@ impl DesignView {
         };
         let ask = PhotoAsk(path.clone());
         let job = context.put(&ask);
-        progress(ui, job, "The picture");
+        progress(ui, job, said!("The picture"));
         let Some(found) = job.result_for(&ask).cloned() else {
             return;
         };
@@ -96,7 +96,7 @@ fn clicked(ui: &mut Ui, context: &mut PageContext<'_>, photo: &Photo, texture: e
     let room = vec2(ui.available_width(), HEIGHT * context.theme.scale);
     let scale = (room.x / width).min(room.y / height);
     let size = vec2(width, height) * scale;
-    let name = format!("Picture {}", photo.name);
+    let name = tr!("Picture {file}", file = photo.name);
     let (rect, response) = drawing(ui, size, egui::Sense::click(), &name);
     let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
     ui.painter()
@@ -104,11 +104,19 @@ fn clicked(ui: &mut Ui, context: &mut PageContext<'_>, photo: &Photo, texture: e
     let pointed = response.hover_pos().or(response.interact_pointer_pos());
     let at = pointed.map(|at| (at - rect.min) / rect.size());
     let Some(([x, y], rgb)) = at.and_then(|at| photo.at([at.x, at.y])) else {
-        ui.small(format!("{}: click a pixel to take its colour.", photo.name));
+        ui.small(tr!(
+            "{file}: click a pixel to take its colour.",
+            file = photo.name
+        ));
         return;
     };
     let colour = Srgb(rgb).hex();
-    ui.small(format!("Row {y}, column {x}: {colour}. Click to take it."));
+    ui.small(tr!(
+        "Row {row}, column {column}: {colour}. Click to take it.",
+        row = y,
+        column = x,
+        colour
+    ));
     if response.clicked() {
         context.ask_about_colour(rgb);
     }

@@ -15,6 +15,7 @@ use crate::{
         pages::MixWish,
     },
     design::solve::{Against, Care, FREE_LINES, Objective},
+    languages::fixed,
     ui::{
         kit::{
             Choice, Chooser, Column, Form, GROUP, Row, column, form, headline, lights, number,
@@ -32,28 +33,37 @@ const WIDE: f32 = 720.0;
 fn favour_words(favour: Objective) -> (&'static str, &'static str) {
     match favour {
         Objective::Ler => (
-            "most light for the power",
-            "Greatest luminous efficacy of radiation.",
+            said!("most light for the power"),
+            said!("Greatest luminous efficacy of radiation."),
         ),
         Objective::Rf => (
-            "highest Rf found",
-            "Fidelity index of TM-30, a mean over 99 surfaces: the highest of several searches.",
+            said!("highest Rf found"),
+            said!(
+                "Fidelity index of TM-30, a mean over 99 surfaces: the highest of several searches."
+            ),
         ),
         Objective::Ra => (
-            "highest Ra found",
-            "Colour rendering index of CIE 13.3, a mean over 8 test colours: the highest of several \
-             searches.",
+            said!("highest Ra found"),
+            said!(
+                "Colour rendering index of CIE 13.3, a mean over 8 test colours: the highest of \
+                 several searches."
+            ),
         ),
         Objective::Melanopic => (
-            "greatest melanopic DER",
-            "Greatest melanopic daylight efficacy ratio of CIE S 026 that these channels reach in \
-             this colour: most melanopic light for the lux. Above floors of Ra or Rf: the greatest \
-             of several searches.",
+            said!("greatest melanopic DER"),
+            said!(
+                "Greatest melanopic daylight efficacy ratio of CIE S 026 that these channels reach \
+                 in this colour: most melanopic light for the lux. Above floors of Ra or Rf: the \
+                 greatest of several searches."
+            ),
         ),
         Objective::Fewest => (
-            "fewest channels",
-            "As few channels as will do, and among those the most light for the power. Where there \
-             are too many sets of channels to look through, the weakest are left out one by one.",
+            said!("fewest channels"),
+            said!(
+                "As few channels as will do, and among those the most light for the power. Where \
+                 there are too many sets of channels to look through, the weakest are left out one \
+                 by one."
+            ),
         ),
     }
 }
@@ -150,9 +160,9 @@ impl DesignView {
 
 /// The faders' colour now and as solved for, with the figures of the latter.
 fn now_and_solved(ui: &mut Ui, context: &PageContext<'_>, both: [egui::Color32; 2], figures: &str) {
-    let meaning = "Each as bright as the screen can show it.";
-    let words = ["the faders now", "as solved for"];
-    large_swatch(ui, context, both, ("Now and solved", meaning), words);
+    let meaning = said!("Each as bright as the screen can show it.");
+    let words = [said!("the faders now"), said!("as solved for")];
+    large_swatch(ui, context, both, (said!("Now and solved"), meaning), words);
     ui.add(egui::Label::new(egui::RichText::new(figures).small()).wrap());
     ui.add_space(GROUP);
 }
@@ -178,12 +188,12 @@ fn wish_and_faders(
         let is_there = solved.mix == desk.mix;
         ui.horizontal(|ui| {
             let button = ui
-                .add_enabled(!is_there, egui::Button::new("Set the faders"))
-                .on_hover_text("Moves the faders to the solution: one step of undo.")
-                .on_disabled_hover_text("The faders stand so.");
+                .add_enabled(!is_there, egui::Button::new(said!("Set the faders")))
+                .on_hover_text(said!("Moves the faders to the solution: one step of undo."))
+                .on_disabled_hover_text(said!("The faders stand so."));
             sets = button.clicked();
             if !solved.reached {
-                warning(ui, context.theme, "as near as the channels come");
+                warning(ui, context.theme, said!("as near as the channels come"));
             }
         });
         if !context.theme.presents {
@@ -196,15 +206,18 @@ fn wish_and_faders(
 
 /// The colour: a temperature, or that of a light.
 fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
-    form.row(("Colour of", ""), |ui, _| whose_colour(ui, context));
+    form.row((said!("Colour of"), ""), |ui, _| whose_colour(ui, context));
     let wish = &mut context.pages.solve;
     if wish.light.is_some() {
         form.rest(|ui| {
-            ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
-                .on_hover_text(
-                    "Comes near to that light at every wavelength, in the least squares; its \
-                     colour is met exactly all the same.",
-                )
+            ui.checkbox(
+                &mut wish.alike,
+                said!("and its spectrum, as nearly as can be"),
+            )
+            .on_hover_text(said!(
+                "Comes near to that light at every wavelength, in the least squares; its colour is \
+                 met exactly all the same."
+            ))
         });
         return;
     }
@@ -216,7 +229,7 @@ fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
                     .speed(0.0005)
                     .fixed_decimals(4);
                 number(ui, field, title)
-                    .on_hover_text("CIE 1931 chromaticity: drag, or click to type.")
+                    .on_hover_text(said!("CIE 1931 chromaticity: drag, or click to type."))
             });
         }
         return;
@@ -225,11 +238,11 @@ fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
         .logarithmic(true)
         .fixed_decimals(0)
         .suffix(" K");
-    let meaning = "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.";
-    form.slider(("Temperature", meaning), of);
+    let meaning = said!("Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.");
+    form.slider((said!("Temperature"), meaning), of);
     let of = Slider::new(&mut wish.duv, MixWish::DUV.reach.range()).fixed_decimals(4);
-    let meaning = "Distance from the blackbodies (Duv): above 0 greenish, below 0 pinkish.";
-    form.slider(("Tint", meaning), of);
+    let meaning = said!("Distance from the blackbodies (Duv): above 0 greenish, below 0 pinkish.");
+    form.slider((said!("Tint"), meaning), of);
 }
 
 /// Whether the colour is that of a temperature, of coordinates or of a light.
@@ -237,24 +250,27 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     let light = &context.pages.solve.light;
     let is_xy = light.is_none() && context.pages.solve.xy.is_some();
     let is_kelvin = light.is_none() && !is_xy;
-    if ui.selectable_label(is_kelvin, "a temperature").clicked() {
+    if ui
+        .selectable_label(is_kelvin, said!("a temperature"))
+        .clicked()
+    {
         context.pages.solve.light = None;
         context.pages.solve.xy = None;
     }
     let by_xy = ui
         .selectable_label(is_xy, "x, y")
-        .on_hover_text("CIE 1931 chromaticity coordinates.");
+        .on_hover_text(said!("CIE 1931 chromaticity coordinates."));
     if by_xy.clicked() && !is_xy {
         let wish = context.pages.solve.clone();
         context.pages.solve = wish.by_xy(context.app.document());
     }
     let light = &context.pages.solve.light;
-    let says = light.as_deref().map_or("a light".to_owned(), |key| {
+    let says = light.as_deref().map_or(said!("a light").to_owned(), |key| {
         context.app.document().name_of(key)
     });
     let chosen = Chooser {
-        name: "Light whose colour is the target",
-        meaning: "The mixture is to have the colour of this light.",
+        name: said!("Light whose colour is the target"),
+        meaning: said!("The mixture is to have the colour of this light."),
         says: &says,
         offers: lights,
         width: 90.0 * context.theme.scale,
@@ -271,10 +287,10 @@ fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     if wish.light.is_some() && wish.alike {
         return;
     }
-    let meaning = "The figure that is best among the mixtures of exactly that colour.";
-    form.row(("Best at", meaning), |ui, _| {
+    let meaning = said!("The figure that is best among the mixtures of exactly that colour.");
+    form.row((said!("Best at"), meaning), |ui, _| {
         let choice = Choice {
-            name: "Figure to favour",
+            name: said!("Figure to favour"),
             meaning,
             width: 190.0 * context.theme.scale,
         };
@@ -286,7 +302,7 @@ fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
 fn floors(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let floors = &mut context.pages.solve.floors;
     let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
-        form.row(("Not below", ""), |ui, _| {
+        form.row((said!("Not below"), ""), |ui, _| {
             let mut on = value.is_some();
             let digits = if most < 10.0 { 2 } else { 0 };
             if ui.checkbox(&mut on, title).changed() {
@@ -297,23 +313,35 @@ fn floors(form: &mut Form<'_>, context: &mut PageContext<'_>) {
                     .range(0.0..=most)
                     .speed(most / 200.0)
                     .fixed_decimals(digits);
-                number(ui, field, &format!("Floor of {title}"));
+                number(ui, field, &tr!("Floor of {figure}", figure = title));
             }
         });
     };
     floor(&mut floors.rf, "Rf", 80.0, 100.0);
     floor(&mut floors.ra, "Ra", 80.0, 100.0);
     floor(&mut floors.ler, "lm/W", 300.0, 683.0);
-    floor(&mut floors.melanopic, "melanopic", 0.5, 2.0);
+    floor(&mut floors.melanopic, said!("melanopic"), 0.5, 2.0);
 }
 
 /// The faders that were solved for.
 fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solved) {
     let columns = [
-        Column::words("channel", "As it stands on the page Mix.", 2.0),
-        Column::numbers("now", "Its fader, per cent of its full power.", 1.0),
-        Column::numbers("solved", "Its fader as it was solved for.", 1.0),
-        Column::words("", "Solving moves it, or not.", 1.0),
+        Column::words(
+            said!("channel"),
+            said!("As it stands on the page Mix."),
+            2.0,
+        ),
+        Column::numbers(
+            said!("now"),
+            said!("Its fader, per cent of its full power."),
+            1.0,
+        ),
+        Column::numbers(
+            said!("solved"),
+            said!("Its fader as it was solved for."),
+            1.0,
+        ),
+        Column::words("", said!("Solving moves it, or not."), 1.0),
     ];
     let rows: Vec<Row> = desk
         .mix
@@ -322,14 +350,14 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
         .zip(&solved.mix.channels)
         .map(|(now, then)| {
             let state = match (desk.mix.is_heard(now), now.lock) {
-                (false, _) => "silent",
-                (true, true) => "locked",
+                (false, _) => said!("silent"),
+                (true, true) => said!("locked"),
                 (true, false) => "",
             };
             let cells = [
                 now.title(&|key| context.app.document().name_of(key)),
-                format!("{:.1} %", now.level),
-                format!("{:.1} %", then.level),
+                format!("{} %", fixed(now.level, 1)),
+                format!("{} %", fixed(then.level, 1)),
                 state.to_owned(),
             ];
             Row {
@@ -347,17 +375,17 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let top = ui.cursor().top();
     let wish = &mut context.pages.solve;
     ui.horizontal_wrapped(|ui| {
-        ui.label("The best found with");
+        ui.label(said!("The best found with"));
         for lines in FREE_LINES {
             ui.selectable_value(&mut wish.lines, lines, lines.to_string())
-                .on_hover_text(
-                    "Lines at the best places that a search finds, not those of the desk.",
-                );
+                .on_hover_text(said!(
+                    "Lines at the best places that a search finds, not those of the desk."
+                ));
         }
-        ui.label("lines by");
+        ui.label(said!("lines by"));
         for (against, title) in [(Against::Rf, "Rf"), (Against::Ra, "Ra")] {
             ui.selectable_value(&mut wish.against, against, title)
-                .on_hover_text("The figure that efficacy is traded for.");
+                .on_hover_text(said!("The figure that efficacy is traded for."));
         }
     });
     let ask = front_ask(&context.pages.solve, context.app.document());
@@ -366,7 +394,7 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     if let Some(ask) = ask.filter(|_| !ui.input(|input| input.pointer.any_down())) {
         job.put(&ask, context.wake);
     }
-    progress(ui, job, "The front");
+    progress(ui, job, said!("The front"));
     let Some((ask, found)) = job
         .answer()
         .map(|(ask, found)| (ask.clone(), found.clone()))

@@ -17,6 +17,7 @@ use crate::{
         ticks::short,
     },
     design::mixture::Source,
+    languages::{fixed, said},
     ui::{
         kit::{cell, column, named, number, sign_button},
         pages::PageContext,
@@ -70,16 +71,17 @@ pub(super) fn faders(
                     channel(ui, context, (desk, index), chosen, size);
                 }
                 for (group, highest) in groups {
-                    let name = format!("Fader of group {group}");
-                    let says = format!("Group {group}");
-                    let meaning = "Moves all faders of the group together.";
+                    let name = tr!("Fader of group {group}", group);
+                    let says = tr!("Group {group}", group);
+                    let meaning = said!("Moves all faders of the group together.");
                     if let Some(to) = together(ui, context, [&says, &name, meaning], highest, size)
                     {
                         change(context, |mix| *mix = mix.clone().group_dimmed(group, to));
                     }
                 }
-                let meaning = "Moves all faders together: brighter or darker at constant colour.";
-                let all = ["All", "All faders", meaning];
+                let meaning =
+                    said!("Moves all faders together: brighter or darker at constant colour.");
+                let all = [said!("All"), said!("All faders"), meaning];
                 if let Some(to) = together(ui, context, all, desk.mix.highest(), size) {
                     change(context, |mix| *mix = mix.clone().dimmed(to));
                 }
@@ -103,7 +105,7 @@ fn channel(
         false => context.theme.track,
     };
     let name = format!("Fader {}", index + 1);
-    let meaning = "Its power, per cent of the most it can give; the same for each channel.";
+    let meaning = said!("Its power, per cent of the most it can give; the same for each channel.");
     column(ui, size, |ui| {
         upright(
             ui,
@@ -126,9 +128,9 @@ fn channel(
             if button.clicked() {
                 *chosen = index;
             }
-            button.on_hover_text(format!(
-                "{}. Click for its place and its switches.",
-                strip.title
+            button.on_hover_text(tr!(
+                "{channel}. Click for its place and its switches.",
+                channel = strip.title
             ));
         });
     });
@@ -141,10 +143,10 @@ fn channel(
 fn short_words(channel: &MixChannel, strip: &Strip) -> [String; 2] {
     let nm = |nm: f64| format!("{} nm", short(nm));
     match &channel.source {
-        Source::Line { at_nm } => ["Line".to_owned(), nm(*at_nm)],
+        Source::Line { at_nm } => [said!("Line").to_owned(), nm(*at_nm)],
         Source::Gauss { centre_nm, .. } => ["LED".to_owned(), nm(*centre_nm)],
-        Source::Blackbody { kelvin } => ["Blackbody".to_owned(), format!("{kelvin:.0} K")],
-        Source::Daylight { kelvin } => ["Daylight".to_owned(), format!("{kelvin:.0} K")],
+        Source::Blackbody { kelvin } => [said!("Blackbody").to_owned(), format!("{kelvin:.0} K")],
+        Source::Daylight { kelvin } => [said!("Daylight").to_owned(), format!("{kelvin:.0} K")],
         Source::Named(_) => [elided(&strip.title, LETTERS), String::new()],
     }
 }
@@ -221,7 +223,7 @@ pub(super) fn chosen(
     *chosen = (*chosen).min(desk.mix.channels.len().saturating_sub(1));
     let index = *chosen;
     let Some((channel, strip)) = desk.mix.channels.get(index).zip(desk.strips.get(index)) else {
-        ui.weak("Add a channel to begin.");
+        ui.weak(said!("Add a channel to begin."));
         return;
     };
     let mut after = channel.clone();
@@ -249,48 +251,53 @@ pub(super) fn chosen(
 
 /// A channel's switches; whether it goes.
 fn switches(ui: &mut Ui, channel: &mut MixChannel, place: usize) -> bool {
-    let mut switch = |on: &mut bool, says: &str, name: &str, meaning: &str| {
+    let mut switch = |on: &mut bool, says: &str, name: String, meaning: &str| {
         let button = ui.toggle_value(on, says);
-        named(&button, egui::Role::CheckBox, &format!("{name} {place}"));
+        named(&button, egui::Role::CheckBox, &name);
         button.on_hover_text(meaning);
     };
     switch(
         &mut channel.mute,
-        "Off",
-        "Mute",
-        "Switches this channel off.",
+        said!("Off"),
+        tr!("Mute {channel}", channel = place),
+        said!("Switches this channel off."),
     );
     switch(
         &mut channel.solo,
-        "Only this",
-        "Solo",
-        "Switches all other channels off.",
+        said!("Only this"),
+        tr!("Solo {channel}", channel = place),
+        said!("Switches all other channels off."),
     );
     switch(
         &mut channel.lock,
-        "Locked",
-        "Lock",
-        "Solving leaves this fader where it is.",
+        said!("Locked"),
+        tr!("Lock {channel}", channel = place),
+        said!("Solving leaves this fader where it is."),
     );
     let words = match channel.group {
-        0 => "No group".to_owned(),
-        group => format!("Group {group}"),
+        0 => said!("No group").to_owned(),
+        group => tr!("Group {group}", group),
     };
     let group = ui.selectable_label(channel.group > 0, words);
     named(
         &group,
         egui::Role::Button,
-        &format!("Group of channel {place}"),
+        &tr!("Group of channel {channel}", channel = place),
     );
     if group.clicked() {
         channel.group = (channel.group + 1) % (GROUPS + 1);
     }
-    group.on_hover_text(
-        "Click to put the channel into group 1, 2, 3 or none. Each group has a fader at the \
-         right, which moves all of it.",
-    );
-    let name = format!("Remove {place}");
-    sign_button(ui, "Remove", &name, "Takes the channel off the desk.")
+    group.on_hover_text(said!(
+        "Click to put the channel into group 1, 2, 3 or none. Each group has a fader at the right, \
+         which moves all of it."
+    ));
+    let name = tr!("Remove {channel}", channel = place);
+    sign_button(
+        ui,
+        said!("Remove"),
+        &name,
+        said!("Takes the channel off the desk."),
+    )
 }
 
 /// What stands before all channels, one below the other.
@@ -301,24 +308,26 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         let mut after = gel.clone();
         ui.push_id(("gel", index), |ui| {
             ui.horizontal(|ui| {
-                ui.label("Gel");
+                ui.label(said!("Gel"));
                 let name = context.app.document().name_of(&gel.key);
                 cell(ui, WHAT * scale, |ui| {
                     ui.add(egui::Label::new(name).truncate())
                         .on_hover_text(&gel.key);
                 });
                 Fader {
-                    name: &format!("Thickness of gel {}", index + 1),
-                    meaning: "How thick it is, as a multiple of what was measured (Beer-Lambert); \
-                              0 is no gel at all.",
+                    name: &tr!("Thickness of gel {number}", number = index + 1),
+                    meaning: said!(
+                        "How thick it is, as a multiple of what was measured (Beer-Lambert); 0 is \
+                         no gel at all."
+                    ),
                     range: 0.0..=THICKEST,
                     digits: 2,
                     suffix: " ×",
                     logarithmic: false,
                 }
                 .show(ui, &mut after.thickness, 30.0 * scale, scale);
-                let name = format!("Remove gel {}", index + 1);
-                if sign_button(ui, "✖", &name, "Takes the gel off.") {
+                let name = tr!("Remove gel {number}", number = index + 1);
+                if sign_button(ui, "✖", &name, said!("Takes the gel off.")) {
                     gone = Some(index);
                 }
             });
@@ -334,50 +343,51 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
 
 /// What a channel is, to change it.
 fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine], place: usize) {
-    let value = |ui: &mut Ui, value: &mut f64, speed: f64, suffix: &str, name: &str| {
+    // Lessons point at it by its English name.
+    let value = |ui: &mut Ui, value: &mut f64, speed: f64, suffix: &str, name: &'static str| {
         let box_of = DragValue::new(value)
             .speed(speed)
             .max_decimals(2)
             .suffix(suffix);
         number(ui, box_of, &format!("{name} {place}"))
-            .on_hover_text(format!("{name}: drag, or click to type."));
+            .on_hover_text(tr!("{name}: drag, or click to type.", name = said(name)));
     };
     match &mut channel.source {
         Source::Line { at_nm } => {
-            let menu = ui.menu_button("line", |ui| {
+            let menu = ui.menu_button(said!("line"), |ui| {
                 if let Some(found) = line_menu(ui, lines) {
                     *at_nm = found;
                 }
             });
             menu.response
-                .on_hover_text("Puts it on a line that has a name.");
-            value(ui, at_nm, 0.1, " nm", "Place");
+                .on_hover_text(said!("Puts it on a line that has a name."));
+            value(ui, at_nm, 0.1, " nm", later!("Place"));
             let is_it = |line: &&NamedLine| (line.at_nm - *at_nm).abs() < 0.05;
             if let Some(line) = lines.iter().find(is_it) {
-                ui.add(egui::Label::new(line.of).truncate());
+                ui.add(egui::Label::new(said(line.of)).truncate());
             }
         }
         Source::Gauss { centre_nm, fwhm_nm } => {
             ui.label("LED");
-            value(ui, centre_nm, 0.2, "", "Centre");
+            value(ui, centre_nm, 0.2, "", later!("Centre"));
             ui.label("±")
-                .on_hover_text("Half of its full width at half its height.");
+                .on_hover_text(said!("Half of its full width at half its height."));
             let mut half = 0.5 * *fwhm_nm;
-            value(ui, &mut half, 0.1, " nm", "Half width");
+            value(ui, &mut half, 0.1, " nm", later!("Half width"));
             *fwhm_nm = 2.0 * half;
         }
         Source::Blackbody { kelvin } => {
-            ui.label("blackbody");
-            value(ui, kelvin, 10.0, " K", "Temperature");
+            ui.label(said!("blackbody"));
+            value(ui, kelvin, 10.0, " K", later!("Temperature"));
         }
         Source::Daylight { kelvin } => {
-            ui.label("daylight");
-            value(ui, kelvin, 10.0, " K", "Temperature");
+            ui.label(said!("daylight"));
+            value(ui, kelvin, 10.0, " K", later!("Temperature"));
         }
         Source::Named(key) => {
             let words = match &strip.light {
                 Ok(_) => strip.title.clone(),
-                Err(_) => format!("{} gives no light", strip.title),
+                Err(_) => tr!("{channel} gives no light", channel = strip.title),
             };
             let hover = match &strip.light {
                 Ok(_) => key.clone(),
@@ -392,10 +402,10 @@ fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine
 /// The lines that have names, by what shines there; the place of the one that was chosen.
 pub(super) fn line_menu(ui: &mut Ui, lines: &[NamedLine]) -> Option<f64> {
     let mut chosen = None;
-    let mut sort: Vec<(&str, Vec<&NamedLine>)> = Vec::new();
+    let mut sort: Vec<(&'static str, Vec<&NamedLine>)> = Vec::new();
     for line in lines {
         let of = if line.of.starts_with("laser") {
-            "Lasers"
+            later!("Lasers")
         } else {
             line.of
         };
@@ -405,9 +415,9 @@ pub(super) fn line_menu(ui: &mut Ui, lines: &[NamedLine]) -> Option<f64> {
         }
     }
     for (of, lines) in sort {
-        ui.menu_button(of, |ui| {
+        ui.menu_button(said(of), |ui| {
             for line in lines {
-                let words = format!("{} {:.1} nm", line.of, line.at_nm);
+                let words = format!("{} {} nm", said(line.of), fixed(line.at_nm, 1));
                 if ui.button(words).clicked() {
                     chosen = Some(line.at_nm);
                     ui.close();

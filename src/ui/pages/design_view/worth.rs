@@ -10,6 +10,7 @@ use crate::{
         chart::Ink,
         design::{Beside, Desk, DeskSurfaces, MainFigure, mix::Snapshot},
     },
+    languages::said,
     ui::{
         kit::{Choice, column, copy_button, named},
         pages::PageContext,
@@ -92,7 +93,7 @@ fn word_of(ui: &mut Ui, theme: Theme, figure: &MainFigure) {
         "low" | "coloured" => theme.warning,
         _ => theme.faint,
     };
-    let word = RichText::new(figure.word).small().color(colour);
+    let word = RichText::new(said(figure.word)).small().color(colour);
     ui.add(egui::Label::new(word).truncate());
 }
 
@@ -119,22 +120,24 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
         ui.spacing_mut().item_spacing.x = 6.0;
         let recipe = desk.recipe();
         let button = ui
-            .add_enabled(recipe.is_some(), egui::Button::new("To the library"))
-            .on_hover_text(
-                "Keeps the mixture as a light of your own and shows it everywhere. It follows \
-                 the lights that it is made of.",
-            );
+            .add_enabled(recipe.is_some(), egui::Button::new(said!("To the library")))
+            .on_hover_text(said!(
+                "Keeps the mixture as a light of your own and shows it everywhere. It follows the \
+                 lights that it is made of."
+            ));
         if let Some(recipe) = recipe.filter(|_| button.clicked()) {
             let place = MadeFor::Shown;
             context.commands.push(Command::Make { recipe, place });
         }
-        ui.weak("Save as");
+        ui.weak(said!("Save as"));
         kept(ui, context, desk);
         copy_button(
             ui,
-            "Copy the channels as CSV",
-            "Channels with their drive in per cent, their share of the power, and values for \
-             lighting desks of 8 and 16 bits (DMX).",
+            said!("Copy the channels as CSV"),
+            said!(
+                "Channels with their drive in per cent, their share of the power, and values for \
+                 lighting desks of 8 and 16 bits (DMX)."
+            ),
             || desk.table().csv(),
         );
     });
@@ -151,24 +154,29 @@ pub(super) fn surfaces(
     let scale = context.theme.scale;
     let seen = surfaces.len().min(2 * in_row);
     ui.horizontal(|ui| {
-        ui.strong(format!("{seen} surfaces"));
-        let beside = second.unwrap_or("its reference");
+        ui.strong(tr!("{n} surfaces" | "{n} surfaces" % seen));
+        let beside = second.unwrap_or(said!("its reference"));
         let words = match surfaces.len() {
-            0 => "a light without a colour temperature has no white to adapt to".to_owned(),
+            0 => said!("a light without a colour temperature has no white to adapt to").to_owned(),
             count if count > seen => {
-                format!("this mixture | {beside}; the first {seen} of {count}")
+                tr!(
+                    "this mixture | {beside}; the first {seen} of {count}",
+                    beside,
+                    seen,
+                    count
+                )
             }
-            _ => format!("this mixture | {beside}"),
+            _ => tr!("this mixture | {beside}", beside),
         };
         let label = egui::Label::new(RichText::new(words).small()).truncate();
-        ui.add(label).on_hover_text(
+        ui.add(label).on_hover_text(said!(
             "Each half as an eye adapted to its light sees it. The reference of a mixture is a \
-             blackbody, from 5000 K on daylight, of the same temperature.",
-        );
+             blackbody, from 5000 K on daylight, of the same temperature."
+        ));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let choice = Choice {
-                name: "Surfaces under the mixture",
-                meaning: "The surfaces below.",
+                name: said!("Surfaces under the mixture"),
+                meaning: said!("The surfaces below."),
                 width: 130.0 * scale,
             };
             let now = &mut context.pages.mix.surfaces;
@@ -214,10 +222,14 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         let button = ui.selectable_label(is_here, name);
         let words = match slot {
             Some(kept) => format!(
-                "{}\nClick to restore this mix; right click to forget it.",
-                kept.words
+                "{}\n{}",
+                kept.words,
+                said!("Click to restore this mix; right click to forget it.")
             ),
-            None => format!("Saves this mix as {name}, to restore and to compare."),
+            None => tr!(
+                "Saves this mix as {slot}, to restore and to compare.",
+                slot = name
+            ),
         };
         if button.secondary_clicked() {
             *slot = None;

@@ -5,6 +5,7 @@ use eframe::egui::Slider;
 use super::names;
 use crate::{
     app::pages::{GemColour, GemMemory},
+    languages::said,
     ui::{
         kit::{Choice, Chooser, Form, transmittances},
         pages::PageContext,
@@ -16,9 +17,10 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let app = context.app;
     let memory = &mut context.pages.gem;
     let choice = Choice {
-        name: names::COLOUR,
-        meaning: "The light that the gem takes out on its way, which goes to and fro in it many \
-                  times.",
+        name: said(names::COLOUR),
+        meaning: said!(
+            "The light that the gem takes out on its way, which goes to and fro in it many times."
+        ),
         width: 130.0,
     };
     form.choice(choice, memory.colour.title(), |ui| {
@@ -30,21 +32,22 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
         GemColour::Clear => {}
         GemColour::Grey => {
             let of = Slider::new(&mut memory.grey, GemMemory::GREY.reach.range()).fixed_decimals(2);
-            let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
-            form.slider((names::ABSORBS, meaning), of);
+            let meaning =
+                said!("Absorption for each radius of the girdle: 1 leaves 37 % of the light.");
+            form.slider((said(names::ABSORBS), meaning), of);
         }
         GemColour::Filter => {
             let entry = app.entry(&memory.filter);
             let chooser = Chooser {
-                name: names::FILTER,
-                meaning: "The gem takes away what this glass takes away.",
+                name: said(names::FILTER),
+                meaning: said!("The gem takes away what this glass takes away."),
                 says: entry
                     .as_ref()
-                    .map_or("choose a filter", |entry| entry.name()),
+                    .map_or(said!("choose a filter"), |entry| entry.name()),
                 offers: transmittances,
                 width: 150.0,
             };
-            let chosen = form.row((names::FILTER, chooser.meaning), |ui, _| {
+            let chosen = form.row((said(names::FILTER), chooser.meaning), |ui, _| {
                 chooser.show(ui, app)
             });
             if let Some(entry) = chosen {
@@ -53,10 +56,12 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
             let of = Slider::new(&mut memory.thickness, GemMemory::THICKNESS.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(1)
-                .suffix(" radii");
-            let meaning = "How large the gem is against the filter: the filter's transmittance is \
-                           that of so many radii of the gem. Less makes it darker.";
-            form.slider((names::THICKNESS, meaning), of);
+                .suffix(format!(" {}", said!("radii")));
+            let meaning = said!(
+                "How large the gem is against the filter: the filter's transmittance is that of so \
+                 many radii of the gem. Less makes it darker."
+            );
+            form.slider((said(names::THICKNESS), meaning), of);
         }
     }
 }

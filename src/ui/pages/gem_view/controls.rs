@@ -12,6 +12,7 @@ use crate::{
         dispersion::{GemFile, GemFilm, GemForm, GemLook, places},
         pages::{GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, knob::Knob},
     },
+    languages::said,
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
         kit::{
@@ -37,20 +38,22 @@ pub(super) fn show(
     ui.spacing_mut().slider_width = 100.0 * context.theme.scale;
     let app = context.app;
     form(ui, "gem", |form| {
-        let meaning = "Diamond bends light most and spreads its colours; zirconia spreads them \
-                       further, glass much less.";
+        let meaning = said!(
+            "Diamond bends light most and spreads its colours; zirconia spreads them further, \
+             glass much less."
+        );
         let made_of = &mut context.pages.gem.made_of;
-        substance(form, app, (names::MATERIAL, meaning), made_of);
+        substance(form, app, (said(names::MATERIAL), meaning), made_of);
         other_light(form, context, both.get(1));
         for of in GemMemory::cut_knobs().take(ALWAYS) {
             slider(form, &mut context.pages.gem, of);
         }
     });
     ui.add_space(GROUP);
-    let meaning = "Looks at the gem as at first: down on the crown.";
+    let meaning = said!("Looks at the gem as at first: down on the crown.");
     form(ui, "how the gem is seen", |form| {
         looks(form, context);
-        if form.rest(|ui| pressed_small(ui, names::FRONT, meaning)) {
+        if form.rest(|ui| pressed_small(ui, said(names::FRONT), meaning)) {
             context.pages.gem.look_from_front();
         }
     });
@@ -61,10 +64,10 @@ pub(super) fn show(
     });
     ui.add_space(GROUP);
     let memory = &mut context.pages.gem;
-    fold(ui, "more of the cut", "More of the cut", |ui| {
+    fold(ui, "more of the cut", said!("More of the cut"), |ui| {
         rest_of_cut(ui, memory);
     });
-    fold(ui, "more of the gem", "Colour and picture", |ui| {
+    fold(ui, "more of the gem", said!("Colour and picture"), |ui| {
         form(ui, "more of the gem", |form| {
             colour::show(form, context);
             picture(form, context, both);
@@ -81,8 +84,8 @@ fn rest_of_cut(ui: &mut Ui, gem: &mut GemMemory) {
         }
     });
     let usual = Brilliant::default();
-    let button = egui::Button::new(names::USUAL_CUT).small();
-    let meaning = "The round brilliant that most diamonds are cut to.";
+    let button = egui::Button::new(said(names::USUAL_CUT)).small();
+    let meaning = said!("The round brilliant that most diamonds are cut to.");
     if pressed_if(ui, gem.cut != usual, button, meaning) {
         gem.cut = usual;
     }
@@ -106,14 +109,16 @@ fn slider(form: &mut Form<'_>, gem: &mut GemMemory, of: &Knob<GemMemory>) {
 /// To whom the gem is shown, how bright and under which part of the light.
 fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let (app, wide) = (context.app, 190.0 * context.theme.scale);
-    form.row(("Seen", ""), |ui, _| {
-        seen_choice(ui, app, (names::SEEN, wide), context.commands);
+    form.row((said!("Seen"), ""), |ui, _| {
+        seen_choice(ui, app, (said(names::SEEN), wide), context.commands);
     });
     let memory = &mut context.pages.gem;
     let choice = Choice {
-        name: names::PART,
-        meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
-                  whole: together they are the whole.",
+        name: said(names::PART),
+        meaning: said!(
+            "The lines' picture and the smooth part's, each as bright as it is in the whole: \
+             together they are the whole."
+        ),
         width: 150.0,
     };
     form.choice(choice, memory.part.title(), |ui| {
@@ -128,8 +133,8 @@ fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
 fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
     let memory = &mut context.pages.gem;
     let choice = Choice {
-        name: names::SIZE,
-        meaning: "Columns and rows of the picture, and the memory that its film takes.",
+        name: said(names::SIZE),
+        meaning: said!("Columns and rows of the picture, and the memory that its film takes."),
         width: 60.0,
     };
     let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
@@ -141,8 +146,10 @@ fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
         }
     });
     let choice = Choice {
-        name: names::RAYS,
-        meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
+        name: said(names::RAYS),
+        meaning: said!(
+            "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise."
+        ),
         width: 50.0,
     };
     form.choice(choice, &memory.rays.to_string(), |ui| {
@@ -165,21 +172,23 @@ pub(super) fn look(context: &PageContext<'_>) -> GemLook {
 
 /// The light of the second picture.
 fn other_light(form: &mut Form<'_>, context: &mut PageContext<'_>, other: Option<&Light>) {
-    let meaning = "A second light on the same gem: its picture is summed from the same rays, only \
-                   its lines are traced.";
-    form.row((names::UNDER, meaning), |ui, _| {
+    let meaning = said!(
+        "A second light on the same gem: its picture is summed from the same rays, only its lines \
+         are traced."
+    );
+    form.row((said(names::UNDER), meaning), |ui, _| {
         let chooser = Chooser {
-            name: names::UNDER,
+            name: said(names::UNDER),
             meaning,
-            says: other.map_or("choose a light", |light| light.name.as_str()),
+            says: other.map_or(said!("choose a light"), |light| light.name.as_str()),
             offers: lights,
             width: 100.0,
         };
         if let Some(entry) = chooser.show(ui, context.app) {
             context.pages.gem.under = Some(entry.key.clone());
         }
-        let button = egui::Button::new(names::NO_OTHER).small();
-        let meaning = "One large picture under the document's light alone.";
+        let button = egui::Button::new(said(names::NO_OTHER)).small();
+        let meaning = said!("One large picture under the document's light alone.");
         if pressed_if(ui, other.is_some(), button, meaning) {
             context.pages.gem.under = None;
         }
@@ -191,14 +200,16 @@ fn save(ui: &mut Ui, context: &mut PageContext<'_>, film: Option<&Arc<GemFilm>>,
     let forms = [
         (
             GemForm::Png,
-            names::PNG,
-            "The picture under the document's light as it is shown.",
+            said(names::PNG),
+            said!("The picture under the document's light as it is shown."),
         ),
         (
             GemForm::Exr,
-            names::EXR,
-            "The spectral picture under the document's light: every plane of wavelengths and \
-             every line.",
+            said(names::EXR),
+            said!(
+                "The spectral picture under the document's light: every plane of wavelengths and \
+                 every line."
+            ),
         ),
     ];
     ui.horizontal_wrapped(|ui| {

@@ -28,6 +28,7 @@ use crate::{
         studies::Stage,
     },
     io::many::capitalised,
+    languages::fixed,
     optics::{Light, Noise},
     study::Progress,
     ui::{
@@ -203,27 +204,30 @@ impl GemView {
                 });
             }
         });
-        progress(ui, context.studies.job::<GemPass, GemFilm>(), "The picture");
+        progress(
+            ui,
+            context.studies.job::<GemPass, GemFilm>(),
+            said!("The picture"),
+        );
         let mut said = Vec::new();
         if let Some(film) = film {
             said.extend(lights.iter().flat_map(|light| facts_of(film, light)));
             said.dedup();
             said.extend(noise.map(|words| format!("{}.", capitalised(&words))));
             let traced = film.film.traced();
-            said.push(format!(
-                "{} x {} pixels, {} rays a pixel, {:.1} faces a ray, {} MB. Light at each face \
-                 as if unpolarised.",
-                film.film.settings().size,
-                film.film.settings().size,
-                film.pass.rays,
-                traced.segments_per_ray(),
-                film.film.bytes().div_ceil(1 << 20),
+            said.push(tr!(
+                "{size} x {size} pixels, {rays} rays a pixel, {faces} faces a ray, {megabytes} MB. \
+                 Light at each face as if unpolarised.",
+                size = film.film.settings().size,
+                rays = film.pass.rays,
+                faces = fixed(traced.segments_per_ray(), 1),
+                megabytes = film.film.bytes().div_ceil(1 << 20)
             ));
             if !context.quiet && film.seconds > 0.0 {
-                said.push(format!(
-                    "Traced in {:.1} s, {:.2} million rays a second.",
-                    film.seconds,
-                    traced.rays as f64 / film.seconds / 1e6
+                said.push(tr!(
+                    "Traced in {seconds} s, {speed} million rays a second.",
+                    seconds = fixed(film.seconds, 1),
+                    speed = fixed(traced.rays as f64 / film.seconds / 1e6, 2)
                 ));
             }
         }
@@ -268,7 +272,7 @@ impl GemView {
         place: usize,
         side: f32,
     ) {
-        let name = format!("The gem under {}", light.name);
+        let name = tr!("The gem under {light}", light = light.name);
         let (area, response) = drawing(ui, Vec2::splat(side), Sense::drag(), &name);
         let painter = ui.painter();
         painter.rect_filled(area, 2.0, grey(WALL));
@@ -281,7 +285,7 @@ impl GemView {
         if moved != Vec2::ZERO {
             context.pages.gem.turn_by([moved.x, moved.y].map(f64::from));
         }
-        response.on_hover_text_at_pointer("Drag to look from another side.");
+        response.on_hover_text_at_pointer(said!("Drag to look from another side."));
         let name = RichText::new(&light.name).strong();
         ui.add(egui::Label::new(name).truncate());
         let words = drawn.map_or("", |drawn| drawn.words.as_str());

@@ -12,6 +12,7 @@ use crate::{
     },
     color::Srgb,
     io::budget,
+    languages::said,
     ui::{
         kit::{Choice, adapt_box, pressed, pressed_if, pressed_small, sign_button},
         pages::{PageContext, PageWish},
@@ -24,17 +25,22 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
     let images = &context.app.document().images;
     let row = ui.horizontal(|ui| {
         if images.is_empty() {
-            let meaning = "An ENVI cube (its header .hdr or its data beside it) or a spectral \
-                           OpenEXR (.exr). It can be dropped here too.";
-            if pressed(ui, names::OPEN, meaning) {
+            let meaning = said!(
+                "An ENVI cube (its header .hdr or its data beside it) or a spectral OpenEXR \
+                 (.exr). It can be dropped here too."
+            );
+            if pressed(ui, said(names::OPEN), meaning) {
                 context.wishes.push(PageWish::OpenPicture);
             }
             about(ui, entry);
             return false;
         }
         let choice = Choice {
-            name: names::IMAGE,
-            meaning: &format!("The spectral images that are open: {}.", images.len()),
+            name: said(names::IMAGE),
+            meaning: &tr!(
+                "The spectral images that are open: {images}.",
+                images = images.len()
+            ),
             width: 170.0,
         };
         choice.cut(ui, &entry.image.name, |ui| {
@@ -46,14 +52,16 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
                 }
             }
         });
-        let meaning = "Takes this image out of the list; Undo brings it back.";
-        if sign_button(ui, "Remove", names::REMOVE, meaning) {
+        let meaning = said!("Takes this image out of the list; Undo brings it back.");
+        if sign_button(ui, said!("Remove"), said(names::REMOVE), meaning) {
             let key = entry.key.clone();
             context.commands.push(Command::RemoveImage { key });
         }
-        let button = egui::Button::new(names::READING).small();
-        let meaning = "Kind and scale of the values, the unit of the wavelengths, and the other \
-                       choices; the picture is drawn anew with each.";
+        let button = egui::Button::new(said(names::READING)).small();
+        let meaning = said!(
+            "Kind and scale of the values, the unit of the wavelengths, and the other choices; the \
+             picture is drawn anew with each."
+        );
         let reading = pressed_if(ui, entry.path().is_some(), button, meaning);
         about(ui, entry);
         reading
@@ -65,19 +73,21 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
 fn about(ui: &mut Ui, entry: &ImageEntry) {
     let cube = &entry.image.cube;
     let nm = cube.nm();
-    let words = format!(
-        "{} x {} pixels, {} bands {}–{} nm, {}, {}",
-        cube.width(),
-        cube.height(),
-        nm.len(),
-        short(nm[0]),
-        short(nm[nm.len() - 1]),
-        entry.image.kind.word(),
-        budget::in_words(cube.memory())
+    let words = tr!(
+        "{width} x {height} pixels, {bands} bands {first_nm}–{last_nm} nm, {kind}, {memory}",
+        width = cube.width(),
+        height = cube.height(),
+        bands = nm.len(),
+        first_nm = short(nm[0]),
+        last_nm = short(nm[nm.len() - 1]),
+        kind = said(entry.image.kind.word()),
+        memory = budget::in_words(cube.memory())
     );
     ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
         .on_hover_ui(|ui| {
-            ui.label("Size, bands, kind of the values, and the memory that they take.");
+            ui.label(said!(
+                "Size, bands, kind of the values, and the memory that they take."
+            ));
             for note in &entry.image.notes {
                 ui.label(note);
             }
@@ -102,12 +112,12 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
         if is_factor && context.pages.image.show == Show::TrueColour {
-            let meaning = format!(
-                "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
-                 the surfaces.",
-                context.app.document().light.name()
+            let meaning = tr!(
+                "Brings the colour of the light, {light}, to the screen's white (Bradford), here \
+                 and in the surfaces.",
+                light = context.app.document().light.name()
             );
-            let words = (names::ADAPT, meaning.as_str());
+            let words = (said(names::ADAPT), meaning.as_str());
             adapt_box(ui, context.app, words, context.commands);
         }
     });
@@ -146,22 +156,25 @@ const EXPOSURE_ROOM: f32 = 230.0;
 
 /// The exposure with what its 0 means beside it.
 fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let meaning = "The brightness of the picture alone: each stop doubles it. At 0 stops the 99th \
-                   percentile of the pixels' strongest channel has the screen's full brightness.";
+    let meaning = said!(
+        "The brightness of the picture alone: each stop doubles it. At 0 stops the 99th percentile \
+         of the pixels' strongest channel has the screen's full brightness."
+    );
     ui.spacing_mut().slider_width = 64.0 * context.theme.scale;
-    let label = ui.label(names::EXPOSURE).on_hover_text(meaning);
+    let label = ui.label(said(names::EXPOSURE)).on_hover_text(meaning);
     let slider = egui::Slider::new(
         &mut context.pages.image.stops,
         ImageMemory::EXPOSURE.reach.range(),
     )
     .step_by(0.1)
     .fixed_decimals(1)
-    .suffix(" stops");
+    .suffix(format!(" {}", said!("stops")));
     ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
-    ui.weak("over what fits the screen").on_hover_text(meaning);
+    ui.weak(said!("over what fits the screen"))
+        .on_hover_text(meaning);
 }
 
-fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: &str) {
+fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: &'static str) {
     let mut band = entry.image.cube.nearest_band(*at);
     let last = nm.len() - 1;
     let of_band = |band: f64| nm[(band.max(0.0) as usize).min(last)];
@@ -171,11 +184,11 @@ fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: 
             let nm = text.trim().trim_end_matches("nm").trim().parse().ok()?;
             Some(entry.image.cube.nearest_band(nm) as f64)
         });
-    let label = ui.label(name);
+    let label = ui.label(said(name));
     let response = ui
         .add(slider)
         .labelled_by(label.id)
-        .on_hover_text("A band of the image by its wavelength, nm.");
+        .on_hover_text(said!("A band of the image by its wavelength, nm."));
     if response.changed() {
         *at = nm[band.min(last)];
     }
@@ -192,27 +205,29 @@ pub(super) fn choice(
     let all = shown.cube().all();
     // A row wider than its column would take the curve below it over the window's edge.
     ui.horizontal_wrapped(|ui| {
-        let meaning = "The pixel's spectrum, or the mean of the region, becomes one of your own \
-                       and is shown. Enter or a double click does the same.";
-        take = pressed(ui, names::TAKE, meaning);
+        let meaning = said!(
+            "The pixel's spectrum, or the mean of the region, becomes one of your own and is \
+             shown. Enter or a double click does the same."
+        );
+        take = pressed(ui, said(names::TAKE), meaning);
         let ask = ui
-            .add_enabled(colour.is_some(), egui::Button::new(names::COLOUR))
-            .on_hover_text(
-                "Takes the colour alone to the page From a colour: which surfaces have it?",
-            );
+            .add_enabled(colour.is_some(), egui::Button::new(said(names::COLOUR)))
+            .on_hover_text(said!(
+                "Takes the colour alone to the page From a colour: which surfaces have it?"
+            ));
         if let Some(Srgb(rgb)) = colour.filter(|_| ask.clicked()) {
             context.ask_about_colour(rgb);
         }
         let whole = shown.rect == all;
-        let meaning = "Chooses every pixel of the image.";
-        if pressed_if(ui, !whole, egui::Button::new(names::WHOLE), meaning) {
+        let meaning = said!("Chooses every pixel of the image.");
+        if pressed_if(ui, !whole, egui::Button::new(said(names::WHOLE)), meaning) {
             context.pages.image.selection = None;
         }
-        let meaning = "Shows all of the picture. The wheel zooms, the right button pans.";
+        let meaning = said!("Shows all of the picture. The wheel zooms, the right button pans.");
         if pressed_if(
             ui,
             !canvas.is_fitted(),
-            egui::Button::new(names::FIT),
+            egui::Button::new(said(names::FIT)),
             meaning,
         ) {
             canvas.fit();
@@ -221,9 +236,13 @@ pub(super) fn choice(
             ui.separator();
             let spread = &mut context.pages.image.spread;
             ui.selectable_value(spread, Spread::Deviation, "± 1 σ")
-                .on_hover_text("Around the mean: one standard deviation of the pixels.");
-            ui.selectable_value(spread, Spread::Extremes, "min–max")
-                .on_hover_text("Around the mean: the smallest and the largest pixel of each band.");
+                .on_hover_text(said!(
+                    "Around the mean: one standard deviation of the pixels."
+                ));
+            ui.selectable_value(spread, Spread::Extremes, said!("min–max"))
+                .on_hover_text(said!(
+                    "Around the mean: the smallest and the largest pixel of each band."
+                ));
         }
     });
     take
@@ -231,10 +250,10 @@ pub(super) fn choice(
 
 /// What was taken last, and the way to it.
 pub(super) fn taken(ui: &mut Ui, context: &mut PageContext<'_>, name: &str) {
-    let meaning = "Goes to the page Spectrum.";
-    if pressed_small(ui, "Show on Spectrum", meaning) {
+    let meaning = said!("Goes to the page Spectrum.");
+    if pressed_small(ui, said!("Show on Spectrum"), meaning) {
         *context.page = Page::Spectrum;
     }
-    let words = egui::RichText::new(format!("Taken into My files: {name}"));
+    let words = egui::RichText::new(tr!("Taken into My files: {name}", name));
     ui.add(egui::Label::new(words).truncate());
 }

@@ -14,6 +14,7 @@ use crate::{
     },
     color::{Srgb, Swatch},
     io::many::{capitalised, numbers},
+    languages::said,
     spectrum::Sampled,
     study::Measure,
     ui::{pages::PageContext, swatch, theme::Theme},
@@ -38,10 +39,12 @@ pub(super) fn pointed(
     pointed: Option<[usize; 2]>,
 ) {
     let Some([x, y]) = pointed else {
-        ui.weak("Click a pixel, drag a rectangle; the wheel zooms, the right button pans.");
+        ui.weak(said!(
+            "Click a pixel, drag a rectangle; the wheel zooms, the right button pans."
+        ));
         return;
     };
-    let mut words = format!("row {y}, column {x}");
+    let mut words = tr!("row {row}, column {column}", row = y, column = x);
     if let Some(colour) = drawn.map(|drawn| colour_at(drawn, [x, y])) {
         let (rect, _) = ui.allocate_exact_size(vec2(18.0, 14.0), egui::Sense::hover());
         ui.painter().rect_filled(rect, 2.0, swatch::colour(colour));
@@ -59,7 +62,7 @@ pub(super) fn pointed(
         let value = if value.is_finite() {
             short(value)
         } else {
-            "not measured".to_owned()
+            said!("not measured").to_owned()
         };
         words += &format!(", {} nm: {value}", short(image.cube.nm()[band]));
     }
@@ -78,10 +81,11 @@ pub(super) fn pointed(
             words += &format!(", XYZ {x} {y} {z}");
         }
     }
-    ui.add(egui::Label::new(words).truncate()).on_hover_text(
-        "Row and column from 0, the colour as drawn, values in the image's unit, and X, Y, Z with \
-         Y = 100 for the light on a reflectance or for the picture's white at exposure 0.",
-    );
+    ui.add(egui::Label::new(words).truncate())
+        .on_hover_text(said!(
+            "Row and column from 0, the colour as drawn, values in the image's unit, and X, Y, Z \
+             with Y = 100 for the light on a reflectance or for the picture's white at exposure 0."
+        ));
 }
 
 fn colour_at(drawn: &Drawn, [x, y]: [usize; 2]) -> Srgb {
@@ -122,9 +126,9 @@ pub(super) fn colour_of(
 /// How bright colours are that are not drawn as the picture.
 fn own_scale(shown: &Shown) -> &'static str {
     if shown.entry.image.kind.is_factor() {
-        "a white under the document's light is the screen's white"
+        said!("a white under the document's light is the screen's white")
     } else {
-        "as bright as the screen can"
+        said!("as bright as the screen can")
     }
 }
 
@@ -137,9 +141,9 @@ pub(super) fn model(
     drawn: Option<&Drawn>,
 ) {
     let Some(derived) = &region.derived else {
-        ui.weak(format!(
-            "{} values have no model here: it takes a light, a reflectance or a transmittance.",
-            region.spectrum.kind
+        ui.weak(tr!(
+            "{kind} values have no model here: it takes a light, a reflectance or a transmittance.",
+            kind = said(region.spectrum.kind.word())
         ));
         return;
     };
@@ -148,59 +152,69 @@ pub(super) fn model(
     let delta_e = hundredths(colour.delta_e_2000);
     if let (Some(exact), Some(model)) = (colour.exact, colour.model) {
         let (exact, model, scale) = match as_in_picture(region, derived, shown, drawn) {
-            Some([exact, model]) => (exact, model, "as bright as in the picture"),
+            Some([exact, model]) => (exact, model, said!("as bright as in the picture")),
             None => (exact.swatch, model.swatch, own_scale(shown)),
         };
         ui.spacing_mut().item_spacing.y = 2.0;
-        let name = format!(
-            "Image colours: measured {}, model {}",
-            exact.hex(),
-            model.hex()
+        let name = tr!(
+            "Image colours: measured {measured}, model {model}",
+            measured = exact.hex(),
+            model = model.hex()
         );
         swatch::split(ui, size, &exact, &model, &name).on_hover_text(format!(
-            "Left the chosen spectrum as measured, right by its model. {}.",
+            "{} {}.",
+            said!("Left the chosen spectrum as measured, right by its model."),
             capitalised(exact.mapping.words())
         ));
-        let words = format!("Measured {}, model {}: {scale}.", exact.hex(), model.hex());
+        let words = tr!(
+            "Measured {measured}, model {model}: {scale}.",
+            measured = exact.hex(),
+            model = model.hex(),
+            scale
+        );
         ui.add(egui::Label::new(RichText::new(words).small().weak()).truncate());
     } else {
         let size = size + vec2(0.0, CAPTION * context.theme.scale);
         ui.allocate_ui(size, |ui| {
             ui.set_min_height(size.y);
-            ui.weak("No visible light in the model's range: no colour.");
+            ui.weak(said!("No visible light in the model's range: no colour."));
         });
     }
     let model = &derived.model;
-    let words = format!(
-        "Model: {}, {}, {}; ΔE₀₀ {delta_e}{}",
-        numbers(derived.numbers()),
-        waves_words(model.smooth().order()),
-        spikes_words(model.lines().len()),
-        match derived.figures[Measure::Rms] {
-            Some(rms) => format!(", rms {} %", two_digits(100.0 * rms)),
-            None => String::new(),
-        }
+    let rms = derived.figures[Measure::Rms];
+    let rms = rms.map(|rms| format!(", rms {} %", two_digits(100.0 * rms)));
+    let words = tr!(
+        "Model: {numbers}, {waves}, {lines}; ΔE₀₀ {delta_e}{rms}",
+        numbers = numbers(derived.numbers()),
+        waves = waves_words(model.smooth().order()),
+        lines = spikes_words(model.lines().len()),
+        delta_e,
+        rms = rms.unwrap_or_default()
     );
     ui.add(egui::Label::new(RichText::new(words).strong()).truncate())
-        .on_hover_text(
+        .on_hover_text(said!(
             "With the waves and lines of the model. CIEDE2000 and relative root mean square \
-             between the chosen spectrum and its model, on the model's range.",
-        );
+             between the chosen spectrum and its model, on the model's range."
+        ));
     let nm = (region.nm[0], region.nm[region.nm.len() - 1]);
     let band = derived.band;
     if nm.0 > band.min_nm() + 1.0 || nm.1 < band.max_nm() - 1.0 {
-        let beyond = if region.spectrum.kind.is_factor() {
-            "held"
-        } else {
-            "zero"
+        let bands = format!("{}–{}", short(nm.0), short(nm.1));
+        let range = format!("{}–{}", short(band.min_nm()), short(band.max_nm()));
+        let words = match region.spectrum.kind.is_factor() {
+            true => tr!(
+                "Bands {bands} nm: the model's range {range} nm reaches beyond, where values are \
+                 held.",
+                bands,
+                range
+            ),
+            false => tr!(
+                "Bands {bands} nm: the model's range {range} nm reaches beyond, where values are \
+                 zero.",
+                bands,
+                range
+            ),
         };
-        let words = format!(
-            "Bands {}–{} nm: the model's range {}–{} nm reaches beyond, where values are {beyond}.",
-            short(nm.0),
-            short(nm.1),
-            short(band.min_nm()),
-            short(band.max_nm()),
-        );
         ui.add(egui::Label::new(RichText::new(words).weak()).truncate());
     }
 }

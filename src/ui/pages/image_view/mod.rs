@@ -37,18 +37,18 @@ use canvas::{Canvas, Picture, Touched};
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const OPEN: &str = "Open an image…";
-    pub const IMAGE: &str = "Image";
-    pub const REMOVE: &str = "Remove image";
-    pub const READING: &str = "How it was read…";
-    pub const TAKE: &str = "Take as spectrum";
-    pub const COLOUR: &str = "From its colour";
-    pub const WHOLE: &str = "Whole image";
-    pub const FIT: &str = "Fit";
-    pub const EXPOSURE: &str = "Exposure";
-    pub const BAND: &str = "Band";
-    pub const RGB: [&str; 3] = ["Red", "Green", "Blue"];
-    pub const ADAPT: &str = "adapt to light";
+    pub const OPEN: &str = later!("Open an image…");
+    pub const IMAGE: &str = later!("Image");
+    pub const REMOVE: &str = later!("Remove image");
+    pub const READING: &str = later!("How it was read…");
+    pub const TAKE: &str = later!("Take as spectrum");
+    pub const COLOUR: &str = later!("From its colour");
+    pub const WHOLE: &str = later!("Whole image");
+    pub const FIT: &str = later!("Fit");
+    pub const EXPOSURE: &str = later!("Exposure");
+    pub const BAND: &str = later!("Band");
+    pub const RGB: [&str; 3] = [later!("Red"), later!("Green"), later!("Blue")];
+    pub const ADAPT: &str = later!("adapt to light");
 }
 
 /// From this width on picture and spectrum stand side by side, points.
@@ -170,10 +170,12 @@ impl ImageView {
         });
         shown.weights = weights.clone();
         let dark = match &shown.weights {
-            None => Some("The document's light does not shine: one band instead."),
-            Some(weights) if !weights.sees() => Some(
-                "No band lies in the visible range: there is no true colour, one band instead.",
-            ),
+            None => Some(said!(
+                "The document's light does not shine: one band instead."
+            )),
+            Some(weights) if !weights.sees() => Some(said!(
+                "No band lies in the visible range: there is no true colour, one band instead."
+            )),
             Some(_) => None,
         };
         shown.weights = shown.weights.filter(|_| dark.is_none());
@@ -226,11 +228,11 @@ impl ImageView {
         size: egui::Vec2,
     ) {
         let cube = shown.cube();
-        let name = format!(
-            "Picture of {}, {} x {} pixels",
-            shown.entry.image.name,
-            cube.width(),
-            cube.height()
+        let name = tr!(
+            "Picture of {image}, {width} x {height} pixels",
+            image = shown.entry.image.name,
+            width = cube.width(),
+            height = cube.height()
         );
         let texture = self.drawn.as_ref().map(|drawn| {
             let raster = &drawn.raster;
@@ -329,9 +331,9 @@ impl ImageView {
         let Some(region) = region else {
             let job = context.studies.of::<RegionAsk>();
             if job.stage() == Stage::Impossible {
-                ui.label("Nothing was measured in these pixels.");
+                ui.label(said!("Nothing was measured in these pixels."));
             } else {
-                progress(ui, job, "The spectrum");
+                progress(ui, job, said!("The spectrum"));
             }
             return;
         };
@@ -368,7 +370,7 @@ impl Shown {
 fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: Option<&Drawn>) {
     let job = context.studies.of::<RasterAsk>();
     let Some(drawn) = drawn else {
-        return progress(ui, job, "The picture");
+        return progress(ui, job, said!("The picture"));
     };
     if let Some(instead) = shown.instead {
         ui.colored_label(context.theme.warning, instead);
@@ -377,24 +379,25 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
     let mut words = Vec::new();
     let raster = &drawn.raster;
     if raster.step > 1 {
-        words.push(format!(
-            "reduced: each drawn pixel is the mean of {0} x {0}",
-            raster.step
+        words.push(tr!(
+            "reduced: each drawn pixel is the mean of {step} x {step}",
+            step = raster.step
         ));
     }
     words.extend(Some(drawn.exposed.words()).filter(|words| !words.is_empty()));
     if raster.full.iter().all(|full| *full <= 0.0) {
-        words.push("nothing is above zero: black".to_owned());
+        words.push(said!("nothing is above zero: black").to_owned());
     }
     if words.is_empty() {
-        words.push("every pixel is drawn as it is".to_owned());
+        words.push(said!("every pixel is drawn as it is").to_owned());
     }
     let text = format!("{}.", capitalised(&words.join("; ")));
     ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate())
-        .on_hover_text(
+        .on_hover_text(said!(
             "Exposure 0 takes the 99th percentile of the strongest of red, green and blue, or of \
-             each band, to the screen's full brightness. Pixels outside sRGB are cut to it; shares are of the drawn pixels.",
-        );
+             each band, to the screen's full brightness. Pixels outside sRGB are cut to it; shares \
+             are of the drawn pixels."
+        ));
 }
 
 /// Height of a row of text with its space, points.

@@ -12,6 +12,7 @@ use super::{ToFollow, names};
 use crate::{
     app::following::{Asked, FollowAsked, ports},
     io::shown,
+    languages::said,
     streams::{BAUD, Pace, Reach},
     ui::{
         kit::{
@@ -27,7 +28,7 @@ const SPEEDS: [(f64, &str); 4] = [
     (1.0, "1×"),
     (10.0, "10×"),
     (100.0, "100×"),
-    (0.0, "at once"),
+    (0.0, later!("at once")),
 ];
 
 /// Most and least width of a path's field, and what stands beside it, points.
@@ -71,19 +72,21 @@ impl Begin {
 
     /// Draws what may be followed.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        headline(ui, context.theme, "Follow a light that changes");
+        headline(ui, context.theme, said!("Follow a light that changes"));
         ui.add(
-            egui::Label::new(
+            egui::Label::new(said!(
                 "A meter that writes a file every second, a folder that spectra are saved into, a \
                  sensor board on a serial port, a program that sends lines: each new spectrum is \
-                 shown on every page as it comes.",
-            )
+                 shown on every page as it comes."
+            ))
             .wrap(),
         );
         ui.add_space(GROUP);
         if cfg!(target_arch = "wasm32") {
-            let words = "A page in a browser reaches neither files nor ports: the program itself \
-                         follows lights.";
+            let words = said!(
+                "A page in a browser reaches neither files nor ports: the program itself follows \
+                 lights."
+            );
             return warning(ui, context.theme, words);
         }
         let mut asked = None;
@@ -103,13 +106,17 @@ impl Begin {
             if let Some(Err(why)) = &self.ports {
                 warning(ui, context.theme, why.clone());
             }
-            ui.label(RichText::new("A line is one spectrum").strong());
+            ui.label(RichText::new(said!("A line is one spectrum")).strong());
             for words in [
-                "Wavelengths once, then a line of values for each spectrum: 400,405,410 … \
-                 then 0.1,0.2,0.3 …",
-                "Or an object: {\"wavelength_nm\":[400,405],\"values\":[0.1,0.2],\
-                 \"integration_ms\":30}.",
-                "Or labels with their wavelengths: 415nm:12 445nm:30.",
+                said!(
+                    "Wavelengths once, then a line of values for each spectrum: 400,405,410 … then \
+                     0.1,0.2,0.3 …"
+                ),
+                said!(
+                    "Or an object: \
+                     {\"wavelength_nm\":[400,405],\"values\":[0.1,0.2],\"integration_ms\":30}."
+                ),
+                said!("Or labels with their wavelengths: 415nm:12 445nm:30."),
             ] {
                 ui.add(egui::Label::new(RichText::new(words).color(context.theme.faint)).wrap());
             }
@@ -132,50 +139,58 @@ impl Begin {
         asked: &mut Option<Asked>,
         picks: &mut Option<ToFollow>,
     ) {
-        let meaning = "It is read again whenever it changes; of a folder the newest file is shown.";
-        form.row(("File or folder", meaning), |ui, _| {
-            let field = text_field(ui, &mut self.path, [names::PATH, "its path"], width);
+        let meaning =
+            said!("It is read again whenever it changes; of a folder the newest file is shown.");
+        form.row((said!("File or folder"), meaning), |ui, _| {
+            let field = text_field(
+                ui,
+                &mut self.path,
+                [said(names::PATH), said!("its path")],
+                width,
+            );
             let path = self.path.trim();
             let enters = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
-            let button = egui::Button::new(names::FOLLOW);
+            let button = egui::Button::new(said(names::FOLLOW));
             let is_pressed = pressed_if(ui, !path.is_empty(), button, meaning);
             if (enters || is_pressed) && !path.is_empty() {
                 *asked = Some(Asked::Path(PathBuf::from(path)));
             }
         });
         form.rest(|ui| {
-            if pressed(ui, names::FILE, meaning) {
+            if pressed(ui, said(names::FILE), meaning) {
                 *picks = Some(ToFollow::File);
             }
-            if pressed(ui, names::FOLDER, meaning) {
+            if pressed(ui, said(names::FOLDER), meaning) {
                 *picks = Some(ToFollow::Folder);
             }
         });
     }
 
     fn recording(&mut self, form: &mut Form<'_>, picks: &mut Option<ToFollow>) {
-        let meaning = "Lines of spectra with their times, as follow --record writes them.";
-        form.row(("Recording", meaning), |ui, _| {
-            if pressed(ui, names::RECORDING, meaning) {
+        let meaning = said!("Lines of spectra with their times, as follow --record writes them.");
+        form.row((said!("Recording"), meaning), |ui, _| {
+            if pressed(ui, said(names::RECORDING), meaning) {
                 *picks = Some(ToFollow::Recording(self.pace()));
             }
         });
         form.rest(|ui| {
             let words = |speed: f64| {
                 let found = SPEEDS.iter().find(|(known, _)| *known == speed);
-                (found.map_or("", |(_, words)| words), "")
+                (found.map_or("", |(_, words)| said(words)), "")
             };
             segments(ui, &mut self.speed, SPEEDS.map(|(speed, _)| speed), words);
         });
     }
 
     fn tcp(&mut self, form: &mut Form<'_>, asked: &mut Option<Asked>) {
-        let meaning = "Programs on this machine send lines to 127.0.0.1 at this port. Nothing \
-                       listens before, and nobody else on the network reaches it.";
-        form.row(("TCP port", meaning), |ui, _| {
+        let meaning = said!(
+            "Programs on this machine send lines to 127.0.0.1 at this port. Nothing listens \
+             before, and nobody else on the network reaches it."
+        );
+        form.row((said!("TCP port"), meaning), |ui, _| {
             let field = DragValue::new(&mut self.port).range(1024..=u16::MAX);
-            number(ui, field, names::PORT).on_hover_text(meaning);
-            if pressed(ui, names::LISTEN, meaning) {
+            number(ui, field, said(names::PORT)).on_hover_text(meaning);
+            if pressed(ui, said(names::LISTEN), meaning) {
                 let address = SocketAddr::from((Ipv4Addr::LOCALHOST, self.port));
                 *asked = Some(Asked::Tcp(address, Reach::Loopback));
             }
@@ -183,15 +198,15 @@ impl Begin {
     }
 
     fn serial(&mut self, form: &mut Form<'_>, width: f32, asked: &mut Option<Asked>) {
-        let meaning = "Lines of a sensor board; one that is unplugged is waited for.";
+        let meaning = said!("Lines of a sensor board; one that is unplugged is waited for.");
         let says = match (&self.serial, &self.ports) {
             (Some(path), _) => shown(path),
-            (None, Some(Ok(ports))) if ports.is_empty() => "none found".to_owned(),
-            _ => "choose a port".to_owned(),
+            (None, Some(Ok(ports))) if ports.is_empty() => said!("none found").to_owned(),
+            _ => said!("choose a port").to_owned(),
         };
-        form.row(("Serial port", meaning), |ui, _| {
+        form.row((said!("Serial port"), meaning), |ui, _| {
             let choice = Choice {
-                name: names::SERIAL,
+                name: said(names::SERIAL),
                 meaning,
                 width,
             };
@@ -204,17 +219,17 @@ impl Begin {
                     }
                 }
                 if found.as_ref().is_ok_and(Vec::is_empty) {
-                    ui.weak("This machine has none.");
+                    ui.weak(said!("This machine has none."));
                 }
-                if ui.button("Look again").clicked() {
+                if ui.button(said!("Look again")).clicked() {
                     self.ports = None;
                 }
             });
             let field = DragValue::new(&mut self.baud)
                 .range(1..=10_000_000)
                 .suffix(" bit/s");
-            number(ui, field, names::BAUD).on_hover_text("As the board sends.");
-            let button = egui::Button::new("Open");
+            number(ui, field, said(names::BAUD)).on_hover_text(said!("As the board sends."));
+            let button = egui::Button::new(said!("Open"));
             let is_pressed = pressed_if(ui, self.serial.is_some(), button, meaning);
             if let Some(path) = self.serial.clone().filter(|_| is_pressed) {
                 *asked = Some(Asked::Serial(path, self.baud));
@@ -223,13 +238,15 @@ impl Begin {
     }
 
     fn through(&mut self, form: &mut Form<'_>, width: f32, picks: &mut Option<ToFollow>) {
-        let meaning = "An instrument's file, as the page Photograph or combine instrument learn \
-                       saves it: wavelengths for lines that tell none, and the response that is \
-                       taken off. Leave it empty for none.";
-        form.row(("Instrument", meaning), |ui, _| {
-            let hint = ["Instrument's file", "none"];
+        let meaning = said!(
+            "An instrument's file, as the page Photograph or combine instrument learn saves it: \
+             wavelengths for lines that tell none, and the response that is taken off. Leave it \
+             empty for none."
+        );
+        form.row((said!("Instrument"), meaning), |ui, _| {
+            let hint = [said!("Instrument's file"), said!("none")];
             text_field(ui, &mut self.instrument, hint, width);
-            if pressed(ui, names::INSTRUMENT, meaning) {
+            if pressed(ui, said(names::INSTRUMENT), meaning) {
                 *picks = Some(ToFollow::Instrument);
             }
         });

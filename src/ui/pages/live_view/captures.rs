@@ -36,10 +36,13 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
     ScrollArea::horizontal().id_salt("captures").show(ui, |ui| {
         ui.horizontal(|ui| {
             for entry in captures {
-                let name = format!("Captured: {}", entry.name());
+                let name = tr!("Captured: {name}", name = entry.name());
                 let (rect, tile) = tile_button(ui, size, &name);
                 draw(ui, rect, entry);
-                let meaning = format!("{}. Click to show it on every page.", entry.name());
+                let meaning = tr!(
+                    "{name}. Click to show it on every page.",
+                    name = entry.name()
+                );
                 if tile.on_hover_text(meaning).clicked() {
                     context.commands.push(Command::Show(entry.clone()));
                 }

@@ -16,6 +16,7 @@ use crate::{
         following::{Following, Seen, Standing},
         live_figures::{Told, Wanted, figures},
     },
+    languages::said,
     live::{Reference, Shown},
     measurements::Quantity,
     streams::Pace,
@@ -36,31 +37,33 @@ pub enum ToFollow {
 
 /// What buttons and fields are called.
 pub mod names {
-    pub const HOLD: &str = "Hold";
-    pub const GO_ON: &str = "Go on";
-    pub const HOLD_MEANS: &str = "Keeps what is shown, or goes on with the newest (Space).";
-    pub const CAPTURE: &str = "Capture";
-    pub const CAPTURE_MEANS: &str = "Keeps what is shown in My files, with its time (Enter).";
-    pub const DARK: &str = "Dark";
-    pub const REFERENCE: &str = "Reference";
-    pub const PEAK: &str = "Peaks";
-    pub const AS_LIGHT: &str = "Counts as a light";
-    pub const FIGURES: &str = "Figures…";
-    pub const STOP: &str = "Stop";
-    pub const STOP_MEANS: &str = "Follows it no longer; the last spectrum and all captures stay.";
-    pub const SHOW: &str = "Show it on every page";
-    pub const PATH: &str = "File or folder that changes";
-    pub const FOLLOW: &str = "Follow";
-    pub const FILE: &str = "Choose a file…";
-    pub const FOLDER: &str = "Choose a folder…";
-    pub const RECORDING: &str = "Play a recording…";
-    pub const SPEED: &str = "Speed";
-    pub const PORT: &str = "Port";
-    pub const LISTEN: &str = "Listen";
-    pub const SERIAL: &str = "Serial port";
-    pub const BAUD: &str = "Bits a second";
-    pub const INSTRUMENT: &str = "Instrument…";
-    pub const SAVE: &str = "Save as CSV…";
+    pub const HOLD: &str = later!("Hold");
+    pub const GO_ON: &str = later!("Go on");
+    pub const HOLD_MEANS: &str = later!("Keeps what is shown, or goes on with the newest (Space).");
+    pub const CAPTURE: &str = later!("Capture");
+    pub const CAPTURE_MEANS: &str =
+        later!("Keeps what is shown in My files, with its time (Enter).");
+    pub const DARK: &str = later!("Dark");
+    pub const REFERENCE: &str = later!("Reference");
+    pub const PEAK: &str = later!("Peaks");
+    pub const AS_LIGHT: &str = later!("Counts as a light");
+    pub const FIGURES: &str = later!("Figures…");
+    pub const STOP: &str = later!("Stop");
+    pub const STOP_MEANS: &str =
+        later!("Follows it no longer; the last spectrum and all captures stay.");
+    pub const SHOW: &str = later!("Show it on every page");
+    pub const PATH: &str = later!("File or folder that changes");
+    pub const FOLLOW: &str = later!("Follow");
+    pub const FILE: &str = later!("Choose a file…");
+    pub const FOLDER: &str = later!("Choose a folder…");
+    pub const RECORDING: &str = later!("Play a recording…");
+    pub const SPEED: &str = later!("Speed");
+    pub const PORT: &str = later!("Port");
+    pub const LISTEN: &str = later!("Listen");
+    pub const SERIAL: &str = later!("Serial port");
+    pub const BAUD: &str = later!("Bits a second");
+    pub const INSTRUMENT: &str = later!("Instrument…");
+    pub const SAVE: &str = later!("Save as CSV…");
 }
 
 /// Figures that may be shown.
@@ -145,8 +148,8 @@ fn told(context: &PageContext<'_>, seen: &Seen) -> Vec<Told> {
 fn sentence(seen: &Seen, told: &[Told]) -> String {
     let Some(shown) = &seen.shown else {
         return match seen.name.is_empty() {
-            true => "Waiting for a light".to_owned(),
-            false => format!("Waiting for a light from {}", seen.name),
+            true => said!("Waiting for a light").to_owned(),
+            false => tr!("Waiting for a light from {source}", source = seen.name),
         };
     };
     let name = &shown.of.name;
@@ -156,15 +159,14 @@ fn sentence(seen: &Seen, told: &[Told]) -> String {
         .take(3)
         .map(Told::words)
         .collect();
-    let held = if seen.standing == Standing::Held {
-        "Held: "
-    } else {
-        ""
+    let words = match (&first[..], shown.of.quantity) {
+        (_, Quantity::Counts) => tr!("{name}: counts of an instrument, no light yet", name),
+        ([], _) => name.clone(),
+        (first, _) => format!("{name}: {}", first.join(", ")),
     };
-    match (&first[..], shown.of.quantity) {
-        (_, Quantity::Counts) => format!("{held}{name}: counts of an instrument, no light yet"),
-        ([], _) => format!("{held}{name}"),
-        (first, _) => format!("{held}{name}: {}", first.join(", ")),
+    match seen.standing {
+        Standing::Held => tr!("Held: {light}", light = words),
+        _ => words,
     }
 }
 
@@ -201,13 +203,17 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
         }
     };
     ui.horizontal_wrapped(|ui| {
-        let hold = if is_held { names::GO_ON } else { names::HOLD };
+        let hold = if is_held {
+            said(names::GO_ON)
+        } else {
+            said(names::HOLD)
+        };
         let hold = Button::selectable(is_held, hold).frame_when_inactive(true);
-        if pressed_if(ui, has_frame, hold, names::HOLD_MEANS) {
+        if pressed_if(ui, has_frame, hold, said(names::HOLD_MEANS)) {
             context.wishes.push(PageWish::Hold);
         }
-        let capture = Button::new(names::CAPTURE);
-        if pressed_if(ui, has_frame, capture, names::CAPTURE_MEANS) {
+        let capture = Button::new(said(names::CAPTURE));
+        if pressed_if(ui, has_frame, capture, said(names::CAPTURE_MEANS)) {
             context.wishes.push(PageWish::Capture);
         }
         ui.separator();
@@ -219,27 +225,32 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
             stream.live.has(Reference::Dark),
             stream.live.has(Reference::Light),
         );
-        let meaning = "Takes what is shown now off every spectrum: cover the instrument first. \
-                       A click more goes on without.";
-        if switch(ui, has_dark, names::DARK, meaning) {
+        let meaning = said!(
+            "Takes what is shown now off every spectrum: cover the instrument first. A click more \
+             goes on without."
+        );
+        if switch(ui, has_dark, said(names::DARK), meaning) {
             reference_of(Reference::Dark, &mut stream);
         }
-        let meaning = "Divides every spectrum by what is shown now: the light without the sample. \
-                       A click more goes on without.";
-        if switch(ui, has_reference, names::REFERENCE, meaning) {
+        let meaning = said!(
+            "Divides every spectrum by what is shown now: the light without the sample. A click \
+             more goes on without."
+        );
+        if switch(ui, has_reference, said(names::REFERENCE), meaning) {
             reference_of(Reference::Light, &mut stream);
         }
         let peak = stream.live.holds_peak();
-        let meaning = "Draws the highest value of every column from now on.";
-        if switch(ui, peak, names::PEAK, meaning) {
+        let meaning = said!("Draws the highest value of every column from now on.");
+        if switch(ui, peak, said(names::PEAK), meaning) {
             stream.live.hold_peak(!peak);
         }
         let shown = following.seen().shown.as_deref();
         let is_counted = shown.is_some_and(|shown| shown.counts.is_some());
         if is_counted || context.pages.live.as_light {
-            let meaning = "Takes counts as a light, as if the instrument answered to all \
-                           wavelengths alike.";
-            ui.checkbox(&mut context.pages.live.as_light, names::AS_LIGHT)
+            let meaning = said!(
+                "Takes counts as a light, as if the instrument answered to all wavelengths alike."
+            );
+            ui.checkbox(&mut context.pages.live.as_light, said(names::AS_LIGHT))
                 .on_hover_text(meaning);
         }
         drop(stream);
@@ -251,12 +262,12 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
             .is_none_or(|key| document.subject_entry().key == key);
         let entry = following.key().and_then(|key| context.app.entry(key));
         if let Some(entry) = entry.filter(|_| !is_shown) {
-            let meaning = "Another light is shown on the other pages: shows this one there.";
-            if pressed(ui, names::SHOW, meaning) {
+            let meaning = said!("Another light is shown on the other pages: shows this one there.");
+            if pressed(ui, said(names::SHOW), meaning) {
                 context.commands.push(crate::app::Command::Show(entry));
             }
         }
-        if pressed(ui, names::STOP, names::STOP_MEANS) {
+        if pressed(ui, said(names::STOP), said(names::STOP_MEANS)) {
             context.wishes.push(PageWish::FollowNoMore);
         }
     });
@@ -264,7 +275,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
 
 fn figures_menu(ui: &mut Ui, context: &mut PageContext<'_>) {
     let shown = &mut context.pages.live.figures;
-    let menu = ui.menu_button(names::FIGURES, |ui| {
+    let menu = ui.menu_button(said(names::FIGURES), |ui| {
         for figure in OFFERED.iter().filter_map(|key| Wanted::named(key).ok()) {
             let figure = figure.figure();
             let mut is_shown = shown.iter().any(|key| key == figure.key);
@@ -284,8 +295,9 @@ fn figures_menu(ui: &mut Ui, context: &mut PageContext<'_>) {
             }
         }
     });
-    named(&menu.response, egui::Role::Button, names::FIGURES);
-    menu.response.on_hover_text("The figures that are shown.");
+    named(&menu.response, egui::Role::Button, said(names::FIGURES));
+    menu.response
+        .on_hover_text(said!("The figures that are shown."));
 }
 
 /// The newest spectrum, its figures beside it where there is room.

@@ -10,6 +10,7 @@ use crate::{
         charts::live::{TRACKS, WATERFALL_NM, ends_ms, over_time, track_words, waterfall},
         following::Following,
     },
+    languages::said,
     live::{Track, clock},
     ui::{
         kit::{drawing, pressed_small, segments, two_columns},
@@ -56,12 +57,12 @@ impl OverTime {
         high: f32,
     ) {
         ui.horizontal_wrapped(|ui| {
-            ui.label(egui::RichText::new("Over time").strong());
+            ui.label(egui::RichText::new(said!("Over time")).strong());
             segments(ui, &mut context.pages.live.track, TRACKS, track_words);
             if pressed_small(
                 ui,
-                names::SAVE,
-                "Saves Y, CCT, glow and lines of every spectrum.",
+                said(names::SAVE),
+                said!("Saves Y, CCT, glow and lines of every spectrum."),
             ) {
                 let (stem, csv) = {
                     let stream = following.stream();
@@ -130,7 +131,11 @@ impl OverTime {
 /// The waterfall with its times at the left and wavelengths below.
 fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     let [first, last] = drawn.ends_ms.map(clock);
-    let name = format!("Waterfall: wavelengths from left to right, {first} above, {last} below");
+    let name = tr!(
+        "Waterfall: wavelengths from left to right, {first} above, {last} below",
+        first,
+        last
+    );
     let size = vec2(ui.available_width(), high);
     let (rect, response) = drawing(ui, size, Sense::hover(), &name);
     let corner = rect.min + vec2(TIMES, 4.0);
@@ -143,7 +148,7 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
         Some(texture) => drop(painter.image(texture.id(), picture, whole, egui::Color32::WHITE)),
         None => {
             painter.rect_filled(picture, 0.0, egui::Color32::BLACK);
-            let words = "There was no light yet.".to_owned();
+            let words = said!("There was no light yet.").to_owned();
             let font = FontId::proportional(12.0);
             let ink = egui::Color32::from_gray(180);
             painter.text(picture.center(), Align2::CENTER_CENTER, words, font, ink);
@@ -171,7 +176,7 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
             ink,
         );
     }
-    response.on_hover_text(
-        "Every row is a moment, the first above; as bright as the light was at each wavelength.",
-    );
+    response.on_hover_text(said!(
+        "Every row is a moment, the first above; as bright as the light was at each wavelength."
+    ));
 }

@@ -5,7 +5,11 @@ use egui::{DragValue, Ui};
 
 use super::{PhotographView, names};
 use crate::{
-    app::photograph::{LampChoice, SeenPhotograph},
+    app::{
+        photograph::{LampChoice, SeenPhotograph},
+        ticks::short,
+    },
+    languages::{self, fixed},
     photographs::{axis::Pin, strip::ByHand},
     ui::kit::{Choice, number, pressed, pressed_small},
 };
@@ -33,33 +37,37 @@ impl PhotographView {
         let mut said = self.said.clone();
         ui.horizontal_wrapped(|ui| {
             let is_named = matches!(said.lamp, LampChoice::Is(_));
-            let meaning = "Shows the lamp's lines: drag two of them to their peaks.";
+            let meaning = said!("Shows the lamp's lines: drag two of them to their peaks.");
             let is_open = is_named && found.curve().is_none() && !self.by_hand.lines_up;
-            if is_open && pressed(ui, names::LINE_UP, meaning) {
+            if is_open && pressed(ui, languages::said(names::LINE_UP), meaning) {
                 self.by_hand.lines_up = true;
             }
             let Some(column) = self.by_hand.column else {
-                ui.weak(
+                ui.weak(said!(
                     "Drag a tick to its peak, or click on a peak and type its wavelength; arrow \
-                     keys move the tick by 0.1 px.",
-                );
+                     keys move the tick by 0.1 px."
+                ));
                 return;
             };
-            ui.label(format!("Column {column:.1} is"));
+            ui.label(tr!("Column {column} is", column = fixed(column, 1)));
             let field = DragValue::new(&mut self.by_hand.nm)
                 .range(100.0..=5000.0)
                 .speed(0.1)
                 .max_decimals(2)
                 .suffix(" nm");
-            number(ui, field, names::PIN);
-            let mut is_set = pressed_small(ui, names::SET_PIN, "The axis goes through it.");
+            number(ui, field, languages::said(names::PIN));
+            let mut is_set = pressed_small(
+                ui,
+                languages::said(names::SET_PIN),
+                said!("The axis goes through it."),
+            );
             for nm in LASERS {
                 let meaning = if [532.0, 632.8].contains(&nm) {
-                    "A laser that keeps to its wavelength."
+                    said!("A laser that keeps to its wavelength.")
                 } else {
-                    "Laser diodes are off by up to 10 nm."
+                    said!("Laser diodes are off by up to 10 nm.")
                 };
-                if pressed_small(ui, &format!("{nm}"), meaning) {
+                if pressed_small(ui, &short(nm), meaning) {
                     (self.by_hand.nm, is_set) = (nm, true);
                 }
             }
@@ -72,7 +80,7 @@ impl PhotographView {
             }
         });
         if said.pins.len() == 1 && !matches!(said.lamp, LampChoice::Is(_)) {
-            ui.weak("One pin is set; a second makes an axis.");
+            ui.weak(said!("One pin is set; a second makes an axis."));
         }
         self.say(said);
     }
@@ -82,18 +90,21 @@ impl PhotographView {
         let mut strip = self.said.strip.clone();
         let (mut falls, mut is_linear) = (self.said.falls, self.said.is_linear);
         let found = seen.found.as_ref().ok();
-        ui.weak(
-            "Drag over the picture to draw the band, its edges to move them, its end to turn it.",
-        );
+        ui.weak(said!(
+            "Drag over the picture to draw the band, its edges to move them, its end to turn it."
+        ));
         ui.horizontal_wrapped(|ui| {
             let words = |way: Option<bool>| match way {
-                None => ("either way", "As the colours run."),
-                Some(false) => ("horizontal", "Colours run from left to right."),
-                Some(true) => ("vertical", "Colours run from top to bottom."),
+                None => (said!("either way"), said!("As the colours run.")),
+                Some(false) => (
+                    said!("horizontal"),
+                    said!("Colours run from left to right."),
+                ),
+                Some(true) => (said!("vertical"), said!("Colours run from top to bottom.")),
             };
             let choice = Choice {
-                name: "Way of the strip",
-                meaning: "The way that the colours run.",
+                name: said!("Way of the strip"),
+                meaning: said!("The way that the colours run."),
                 width: 90.0,
             };
             choice.pick(
@@ -103,13 +114,19 @@ impl PhotographView {
                 words,
             );
             let words = |falls: Option<bool>| match falls {
-                None => ("blue either side", "As the lines have it."),
-                Some(false) => ("blue first", "Wavelengths rise to the right, or downwards."),
-                Some(true) => ("red first", "Wavelengths fall to the right, or downwards."),
+                None => (said!("blue either side"), said!("As the lines have it.")),
+                Some(false) => (
+                    said!("blue first"),
+                    said!("Wavelengths rise to the right, or downwards."),
+                ),
+                Some(true) => (
+                    said!("red first"),
+                    said!("Wavelengths fall to the right, or downwards."),
+                ),
             };
             let choice = Choice {
-                name: "Side of the blue",
-                meaning: "The side that blue lies on.",
+                name: said!("Side of the blue"),
+                meaning: said!("The side that blue lies on."),
                 width: 110.0,
             };
             choice.pick(ui, &mut falls, [None, Some(false), Some(true)], words);
@@ -123,8 +140,8 @@ impl PhotographView {
                     .speed(form.speed)
                     .fixed_decimals(form.decimals)
                     .suffix(form.unit);
-                ui.label(form.word);
-                if number(ui, drag, form.name).changed() && value.is_finite() {
+                ui.label(languages::said(form.word));
+                if number(ui, drag, languages::said(form.name)).changed() && value.is_finite() {
                     *set = Some(value);
                 }
             };
@@ -133,22 +150,22 @@ impl PhotographView {
             field(&mut strip.smile, shown.map(|s| s.smile), SMILE);
         });
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut strip.is_one_row, "one row only")
-                .on_hover_text("Reads the middle row of the band alone.");
-            ui.checkbox(&mut is_linear, "linear codes")
-                .on_hover_text("The codes of the picture are proportional to light.");
+            ui.checkbox(&mut strip.is_one_row, said!("one row only"))
+                .on_hover_text(said!("Reads the middle row of the band alone."));
+            ui.checkbox(&mut is_linear, said!("linear codes"))
+                .on_hover_text(said!("The codes of the picture are proportional to light."));
             let strips = found.map_or(1, |f| f.found.strips);
             if strips > 1 || strip.strip.is_some() {
                 let now = strip.strip.unwrap_or(1);
-                let words = format!("strip {now} of {strips}");
-                if pressed_small(ui, &words, "Reads the next strip.") {
+                let words = tr!("strip {strip} of {strips}", strip = now, strips);
+                if pressed_small(ui, &words, said!("Reads the next strip.")) {
                     strip.strip = Some(now % strips.max(1) + 1);
                     strip.area = None;
                 }
             }
             let is_set = strip != ByHand::default() || falls.is_some() || is_linear;
-            let meaning = "Takes back all that was set by hand of the strip.";
-            if is_set && pressed_small(ui, "as found", meaning) {
+            let meaning = said!("Takes back all that was set by hand of the strip.");
+            if is_set && pressed_small(ui, said!("as found"), meaning) {
                 (strip, falls, is_linear) = (ByHand::default(), None, false);
             }
         });
@@ -173,24 +190,24 @@ struct Field {
 }
 
 const TURN: Field = Field {
-    word: "turn",
-    name: "Turn of the strip",
+    word: later!("turn"),
+    name: later!("Turn of the strip"),
     most: 45.0,
     speed: 0.05,
     decimals: 2,
     unit: "\u{b0}",
 };
 const SHEAR: Field = Field {
-    word: "shear",
-    name: "Shear of the strip",
+    word: later!("shear"),
+    name: later!("Shear of the strip"),
     most: 5.0,
     speed: 0.002,
     decimals: 3,
     unit: "",
 };
 const SMILE: Field = Field {
-    word: "smile",
-    name: "Smile of the strip",
+    word: later!("smile"),
+    name: later!("Smile of the strip"),
     most: 5.0,
     speed: 0.000_05,
     decimals: 5,

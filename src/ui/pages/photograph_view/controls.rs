@@ -13,6 +13,7 @@ use crate::{
         },
     },
     io::name_of,
+    languages::{self, fixed},
     photographs::Lamp,
     ui::kit::{self, Choice, copy_button, number, pressed, pressed_small},
 };
@@ -38,17 +39,25 @@ impl PhotographView {
                 }
                 let resolution = found.resolution();
                 if let Some((low, high)) = found.valid_nm() {
-                    let resolution = resolution.map_or(String::new(), |(fwhm, nm)| {
-                        format!(" Resolution {fwhm:.1} nm at {nm:.0}.")
-                    });
-                    let words =
-                        format!("The axis holds from {low:.0} to {high:.0} nm.{resolution}");
+                    let mut words = tr!(
+                        "The axis holds from {low} to {high} nm.",
+                        low = fixed(low, 0),
+                        high = fixed(high, 0)
+                    );
+                    if let Some((fwhm, nm)) = resolution {
+                        words += " ";
+                        words += &tr!(
+                            "Resolution {width} nm at {nm}.",
+                            width = fixed(fwhm, 1),
+                            nm = fixed(nm, 0)
+                        );
+                    }
                     ui.weak(words);
                 }
                 kit::small_warnings(ui, context.theme, &warnings(found));
             }
             Err(why) => {
-                kit::headline(ui, context.theme, "Cannot be said.");
+                kit::headline(ui, context.theme, said!("Cannot be said."));
                 kit::warning(ui, context.theme, why.clone());
             }
         }
@@ -57,7 +66,7 @@ impl PhotographView {
         self.show_many(ui, context);
         ui.add_space(4.0);
         self.pins(ui, seen);
-        kit::fold(ui, "strip by hand", "Strip by hand", |ui| {
+        kit::fold(ui, "strip by hand", said!("Strip by hand"), |ui| {
             self.by_hand(ui, seen)
         });
     }
@@ -65,11 +74,17 @@ impl PhotographView {
     /// Yes, no, and the lamp that it is.
     fn answers(&mut self, ui: &mut Ui, found: &Photograph) {
         let mut said = self.said.clone();
-        if found.is_open() && pressed(ui, names::YES, "Takes the axis.") {
+        if found.is_open() && pressed(ui, languages::said(names::YES), said!("Takes the axis.")) {
             said.yes = true;
         }
         let has_axis = found.curve().is_some();
-        if has_axis && pressed(ui, names::NO, "Takes the axis away; the picture stays.") {
+        if has_axis
+            && pressed(
+                ui,
+                languages::said(names::NO),
+                said!("Takes the axis away; the picture stays."),
+            )
+        {
             said = Said {
                 strip: said.strip,
                 lamp: LampChoice::Nothing,
@@ -82,31 +97,36 @@ impl PhotographView {
             both.filter(|(best, other)| best.lamp != other.lamp && other.score > 0.0)
         {
             let (name, scores) = (other.lamp.name(), (other.score, best.score));
-            let words = format!("{name}, {:.1} against {:.1}", scores.0, scores.1);
-            if pressed(ui, &words, "Takes the next best lamp instead.") {
+            let words = tr!(
+                "{lamp}, {score} against {best}",
+                lamp = name,
+                score = fixed(scores.0, 1),
+                best = fixed(scores.1, 1)
+            );
+            if pressed(ui, &words, said!("Takes the next best lamp instead.")) {
                 said.lamp = LampChoice::Is(other.lamp);
             }
         }
         let chosen = match said.lamp {
-            LampChoice::Auto => "any lamp",
-            LampChoice::Nothing => "no lamp",
+            LampChoice::Auto => said!("any lamp"),
+            LampChoice::Nothing => said!("no lamp"),
             LampChoice::Is(lamp) => lamp.name(),
         };
         let choice = Choice {
-            name: names::LAMP,
-            meaning: "The lamp whose lines are looked for.",
+            name: languages::said(names::LAMP),
+            meaning: said!("The lamp whose lines are looked for."),
             width: 110.0,
         };
         choice.show(ui, chosen, |ui| {
-            ui.selectable_value(&mut said.lamp, LampChoice::Auto, "any lamp");
+            ui.selectable_value(&mut said.lamp, LampChoice::Auto, said!("any lamp"));
             for lamp in Lamp::ALL {
                 ui.selectable_value(&mut said.lamp, LampChoice::Is(lamp), lamp.name());
             }
-            ui.selectable_value(&mut said.lamp, LampChoice::Nothing, "no lamp");
+            ui.selectable_value(&mut said.lamp, LampChoice::Nothing, said!("no lamp"));
         });
         self.say(said);
-        let undo = "Takes back what was said last of this picture.";
-        if !self.past.is_empty() && pressed(ui, names::UNDO, undo) {
+        let undo = said!("Takes back what was said last of this picture.");
+        if !self.past.is_empty() && pressed(ui, languages::said(names::UNDO), undo) {
             self.said = self.past.pop().unwrap_or_default();
         }
     }
@@ -117,35 +137,49 @@ impl PhotographView {
         let used = found.filter(|found| found.used_curve().is_some());
         ui.horizontal_wrapped(|ui| {
             if let Some(found) = used {
-                let meaning = "The spectrum joins your own: relative, as read.";
-                if pressed(ui, names::LIBRARY, meaning)
+                let meaning = said!("The spectrum joins your own: relative, as read.");
+                if pressed(ui, languages::said(names::LIBRARY), meaning)
                     && let Some(spectrum) = found.spectrum()
                 {
                     context.commands.push(Command::Adopt(vec![spectrum]));
                 }
                 let is_own = found.source() != Source::Instrument && self.path.is_some();
-                let meaning = "The next pictures are read with this strip and axis, if they fit.";
-                if is_own && pressed(ui, names::INSTRUMENT, meaning) {
+                let meaning =
+                    said!("The next pictures are read with this strip and axis, if they fit.");
+                if is_own && pressed(ui, languages::said(names::INSTRUMENT), meaning) {
                     self.keep(found, &seen.name);
                 }
-                copy_button(ui, "Copy the spectrum as CSV", "", || {
+                copy_button(ui, said!("Copy the spectrum as CSV"), "", || {
                     table(found).map_or_else(String::new, |table| table.csv())
                 });
             }
-            if self.path.is_some() && pressed(ui, names::OPEN, "Opens another picture.") {
+            if self.path.is_some()
+                && pressed(
+                    ui,
+                    languages::said(names::OPEN),
+                    said!("Opens another picture."),
+                )
+            {
                 context.wishes.push(PageWish::OpenPicture);
             }
         });
         let Some(bench) = &self.bench else { return };
         let instrument = bench.instrument.clone();
         ui.horizontal_wrapped(|ui| {
-            ui.label(format!("Instrument: {}", instrument.name));
-            let meaning = "Strip, axis and response in a file; no picture and no place.";
-            if pressed_small(ui, names::SAVE_INSTRUMENT, meaning) {
+            ui.label(tr!(
+                "Instrument: {instrument}",
+                instrument = instrument.name
+            ));
+            let meaning = said!("Strip, axis and response in a file; no picture and no place.");
+            if pressed_small(ui, languages::said(names::SAVE_INSTRUMENT), meaning) {
                 let wish = PageWish::Instrument(Box::new(instrument.clone()));
                 context.wishes.push(wish);
             }
-            if pressed_small(ui, "put away", "The next pictures are read by themselves.") {
+            if pressed_small(
+                ui,
+                said!("put away"),
+                said!("The next pictures are read by themselves."),
+            ) {
                 self.bench = None;
                 self.said.instrument = None;
             }
@@ -164,21 +198,21 @@ impl PhotographView {
         let light = &mut self.known;
         let base = &context.app.document().light;
         ui.horizontal_wrapped(|ui| {
-            ui.label("This picture is a known light:");
+            ui.label(said!("This picture is a known light:"));
             let chosen = match light.of {
-                KnownAs::Bulb => "a bulb",
-                KnownAs::Daylight => "daylight",
-                KnownAs::Shown => "the light of the library",
+                KnownAs::Bulb => said!("a bulb"),
+                KnownAs::Daylight => said!("daylight"),
+                KnownAs::Shown => said!("the light of the library"),
             };
             let choice = Choice {
-                name: "The known light",
-                meaning: "What this picture shows.",
+                name: said!("The known light"),
+                meaning: said!("What this picture shows."),
                 width: 150.0,
             };
             choice.show(ui, chosen, |ui| {
-                ui.selectable_value(&mut light.of, KnownAs::Bulb, "a bulb");
-                ui.selectable_value(&mut light.of, KnownAs::Daylight, "daylight");
-                let shown = format!("{}, chosen in the library", base.name());
+                ui.selectable_value(&mut light.of, KnownAs::Bulb, said!("a bulb"));
+                ui.selectable_value(&mut light.of, KnownAs::Daylight, said!("daylight"));
+                let shown = tr!("{light}, chosen in the library", light = base.name());
                 ui.selectable_value(&mut light.of, KnownAs::Shown, shown);
             });
             let known = match light.of {
@@ -186,23 +220,25 @@ impl PhotographView {
                     let field = DragValue::new(&mut light.bulb_k)
                         .range(1000.0..=20_000.0)
                         .suffix(" K");
-                    number(ui, field, "Temperature of the bulb");
+                    number(ui, field, said!("Temperature of the bulb"));
                     Known::Blackbody(light.bulb_k)
                 }
                 KnownAs::Daylight => {
                     let field = DragValue::new(&mut light.sky_k)
                         .range(4000.0..=25_000.0)
                         .suffix(" K");
-                    number(ui, field, "Temperature of the daylight");
+                    number(ui, field, said!("Temperature of the daylight"));
                     Known::Daylight(light.sky_k)
                 }
                 KnownAs::Shown => {
                     Known::Spectrum(base.name().to_owned(), base.spectrum.samples.clone())
                 }
             };
-            let meaning = "Learns what the camera makes of each wavelength; a bulb that is 100 K \
-                           off changes a colour temperature by 3 %.";
-            if pressed(ui, "Learn the response", meaning) {
+            let meaning = said!(
+                "Learns what the camera makes of each wavelength; a bulb that is 100 K off changes \
+                 a colour temperature by 3 %."
+            );
+            if pressed(ui, said!("Learn the response"), meaning) {
                 self.learning = Some(ResponseAsk {
                     instrument,
                     lamp,
@@ -254,14 +290,19 @@ impl Default for KnownLight {
 /// The first step in little room.
 pub(super) fn begin(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        ui.strong("An example, drawn by the program.");
+        ui.strong(said!("An example, drawn by the program."));
         opens(ui, context);
     });
 }
 
 fn opens(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let meaning = "Opens a picture of a spectrum, JPEG or PNG.";
-    if kit::pressed(ui, names::OPEN, meaning) {
+    let meaning = said!("Opens a picture of a spectrum, JPEG or PNG.");
+    let button = ui
+        .button(languages::said(names::OPEN))
+        .on_hover_text(meaning);
+    // Lessons point at it by this name.
+    kit::named(&button, egui::Role::Button, names::OPEN);
+    if button.clicked() {
         context.wishes.push(PageWish::OpenPicture);
     }
 }
@@ -270,25 +311,27 @@ fn opens(ui: &mut Ui, context: &mut PageContext<'_>) {
 pub(super) fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
     purpose(ui, context);
     ui.add_space(12.0);
-    ui.strong("An example, drawn by the program");
+    ui.strong(said!("An example, drawn by the program"));
 }
 
 fn purpose(ui: &mut Ui, context: &mut PageContext<'_>) {
     kit::headline(
         ui,
         context.theme,
-        "A photograph of a spectrum becomes a spectrum.",
+        said!("A photograph of a spectrum becomes a spectrum."),
     );
     ui.add_space(4.0);
-    ui.label(
+    ui.label(said!(
         "Hold a telephone before a grating or a DVD, with a slit before an energy-saving lamp. \
          Drop the picture here (JPEG or PNG): the lamp's lines fix the wavelengths. A picture of a \
-         bulb with the same set-up fixes what the camera makes of them.",
-    );
+         bulb with the same set-up fixes what the camera makes of them."
+    ));
     ui.add_space(6.0);
     opens(ui, context);
     ui.add_space(4.0);
-    ui.weak("The picture stays on this computer; the place where it was taken is never read.");
+    ui.weak(said!(
+        "The picture stays on this computer; the place where it was taken is never read."
+    ));
 }
 
 impl PhotographView {
@@ -296,9 +339,9 @@ impl PhotographView {
     pub(super) fn nothing_yet(&self, ui: &mut Ui, context: &mut PageContext<'_>) {
         purpose(ui, context);
         let path = self.own.path.as_deref();
-        let meaning = path.map(|path| format!("Shows {} again.", name_of(path)));
+        let meaning = path.map(|path| tr!("Shows {file} again.", file = name_of(path)));
         if let Some(meaning) = meaning
-            && pressed(ui, names::OWN, &meaning)
+            && pressed(ui, languages::said(names::OWN), &meaning)
         {
             context.wishes.push(PageWish::OwnPicture);
         }

@@ -13,7 +13,7 @@ impl PhotographView {
     pub(super) fn show_many(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let Some(ask) = self.many.clone() else { return };
         let job = context.put(&ask);
-        progress(ui, job, "The pictures");
+        progress(ui, job, said!("The pictures"));
         let Some(all) = job.result_for(&ask).cloned() else {
             return;
         };
@@ -21,20 +21,20 @@ impl PhotographView {
         let fitting: Vec<_> = fitting.cloned().collect();
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            ui.strong(format!(
-                "{} of {} pictures fit the instrument.",
-                fitting.len(),
-                all.len()
+            ui.strong(tr!(
+                "{fitting} of {all} pictures fit the instrument.",
+                fitting = fitting.len(),
+                all = all.len()
             ));
-            let meaning = "The spectra of the fitting ones join your own.";
-            if !fitting.is_empty() && pressed(ui, "All to the library", meaning) {
+            let meaning = said!("The spectra of the fitting ones join your own.");
+            if !fitting.is_empty() && pressed(ui, said!("All to the library"), meaning) {
                 context.commands.push(Command::Adopt(fitting.clone()));
             }
         });
         let mut opened = None;
         for one in all.iter() {
             ui.horizontal_wrapped(|ui| {
-                if pressed_small(ui, &one.name, "Shows this picture.") {
+                if pressed_small(ui, &one.name, said!("Shows this picture.")) {
                     opened = Some(one.path.clone());
                 }
                 if let Err(why) = &one.spectrum {

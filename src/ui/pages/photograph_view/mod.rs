@@ -20,6 +20,7 @@ use crate::{
         Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, Seen,
         SeenPhotograph, Staged, is_instrument,
     },
+    languages::said,
     ui::{
         kit::{self, drawing},
         swatch,
@@ -29,18 +30,18 @@ use crate::{
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const OPEN: &str = "Open a photograph…";
-    pub const OWN: &str = "Back to your picture";
-    pub const YES: &str = "Yes";
-    pub const NO: &str = "No";
-    pub const LAMP: &str = "Lamp";
-    pub const UNDO: &str = "Take back";
-    pub const LIBRARY: &str = "To the library";
-    pub const INSTRUMENT: &str = "Use as instrument";
-    pub const SAVE_INSTRUMENT: &str = "Save the instrument…";
-    pub const LINE_UP: &str = "Line up by hand";
-    pub const SET_PIN: &str = "Set a pin";
-    pub const PIN: &str = "Wavelength of the pin";
+    pub const OPEN: &str = later!("Open a photograph…");
+    pub const OWN: &str = later!("Back to your picture");
+    pub const YES: &str = later!("Yes");
+    pub const NO: &str = later!("No");
+    pub const LAMP: &str = later!("Lamp");
+    pub const UNDO: &str = later!("Take back");
+    pub const LIBRARY: &str = later!("To the library");
+    pub const INSTRUMENT: &str = later!("Use as instrument");
+    pub const SAVE_INSTRUMENT: &str = later!("Save the instrument…");
+    pub const LINE_UP: &str = later!("Line up by hand");
+    pub const SET_PIN: &str = later!("Set a pin");
+    pub const PIN: &str = later!("Wavelength of the pin");
 }
 
 /// From this width on pictures and words stand side by side, points.
@@ -206,7 +207,7 @@ impl PhotographView {
             self.seen = Some(found.clone());
         }
         let is_read = job.result_for(&ask).is_some();
-        progress(ui, job, "The photograph");
+        progress(ui, job, said!("The photograph"));
         let read = self.seen.as_ref().filter(|_| is_read);
         let wish = read.cloned().map(PageWish::Photograph);
         context.wishes.extend(wish);
@@ -224,7 +225,7 @@ impl PhotographView {
             }
             Err(why) => {
                 kit::warning(ui, context.theme, why.clone());
-                if kit::pressed(ui, names::OPEN, "Opens another picture.") {
+                if kit::pressed(ui, said(names::OPEN), said!("Opens another picture.")) {
                     context.wishes.push(PageWish::OpenPicture);
                 }
             }
@@ -274,7 +275,7 @@ impl PhotographView {
         let theme = context.theme;
         let Some(ask) = &self.learning else { return };
         let job = context.put(ask);
-        progress(ui, job, "The response");
+        progress(ui, job, said!("The response"));
         let Some(found) = job.result_for(ask) else {
             return;
         };
@@ -315,7 +316,7 @@ impl PhotographView {
         let share = if found.is_some() { 0.5 } else { 0.95 };
         let size = seen.size.map(|side| side.max(1) as f32);
         let scale = (width / size[0]).min(share * height / size[1]);
-        let name = format!("Picture {}", seen.name);
+        let name = tr!("Picture {file}", file = seen.name);
         let (room, _) = ui.allocate_exact_size(vec2(width, scale * size[1]), Sense::hover());
         let rect = Rect::from_center_size(room.center(), vec2(size[0], size[1]) * scale);
         let response = ui.interact(rect, ui.scope_id().with("band"), Sense::drag());
@@ -339,6 +340,7 @@ impl PhotographView {
             ui,
             vec2(width, STRIP * theme.scale),
             Sense::hover(),
+            // Lessons point at it by this name.
             "Straightened strip",
         );
         if let Some(strip) = strip {

@@ -78,6 +78,7 @@ pub(super) fn marks(ui: &Ui, theme: Theme, found: &Photograph, rect: Rect) {
 impl PhotographView {
     /// The curves with the ticks of the lamp's lines, which a hand may move.
     pub(super) fn profile(&mut self, ui: &mut Ui, theme: Theme, found: &Photograph, size: Vec2) {
+        // Lessons point at it by this name.
         let name = "Profile of the strip, red, green and blue";
         let (rect, response) = drawing(ui, size, Sense::click_and_drag(), name);
         ui.painter().rect_filled(rect, 0.0, theme.ground);

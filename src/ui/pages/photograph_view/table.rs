@@ -6,6 +6,7 @@ use eframe::egui::Ui;
 
 use crate::{
     app::photograph::Photograph,
+    languages::with_sign,
     ui::{
         kit::{Column, Row, table, titled},
         theme::Theme,
@@ -19,17 +20,27 @@ pub(super) fn show(ui: &mut Ui, found: &Photograph, theme: Theme) {
         return;
     }
     ui.add_space(8.0);
-    titled(ui, "Lines", "Copy the lines as CSV", "", || csv(&rows));
+    titled(
+        ui,
+        said!("Lines"),
+        said!("Copy the lines as CSV"),
+        "",
+        || csv(&rows),
+    );
     let columns = [
-        Column::numbers("nm", "Wavelength of the lamp's line.", 62.0),
-        Column::numbers("px", "Column of the strip.", 56.0),
-        Column::numbers("error", "Error of the axis there, nm.", 56.0),
-        Column::numbers("width", "Full width at half height, nm.", 50.0),
-        Column::words("", "A line whose top is over-exposed.", 60.0),
+        Column::numbers("nm", said!("Wavelength of the lamp's line."), 62.0),
+        Column::numbers("px", said!("Column of the strip."), 56.0),
+        Column::numbers(said!("error"), said!("Error of the axis there, nm."), 56.0),
+        Column::numbers(
+            said!("width"),
+            said!("Full width at half height, nm."),
+            50.0,
+        ),
+        Column::words("", said!("A line whose top is over-exposed."), 60.0),
     ];
     let rows: Vec<Row> = rows
         .into_iter()
-        .map(|cells| Row::of(cells.to_vec()))
+        .map(|cells| Row::of(cells.map(with_sign).to_vec()))
         .collect();
     table(ui, &columns, &rows, None, false, theme);
 }
@@ -47,7 +58,11 @@ fn rows(found: &Photograph) -> Vec<[String; 5]> {
     lines.sort_by(|a, b| a.landmark.nm.total_cmp(&b.landmark.nm));
     let row = |line: &crate::photographs::axis::Match| {
         let peak = peaks[line.peak];
-        let clipped = if peak.is_clipped { "clipped" } else { "" };
+        let clipped = if peak.is_clipped {
+            said!("clipped")
+        } else {
+            ""
+        };
         [
             format!("{:.1}", line.landmark.nm),
             format!("{:.1}", peak.px),

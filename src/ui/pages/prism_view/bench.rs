@@ -9,6 +9,7 @@ use crate::{
         dispersion::{BenchDrawing, DrawnRay, Grip, Leaves},
         pages::Handle,
     },
+    languages::fixed,
     ui::{
         kit::{self, named},
         theme::{Theme, grey},
@@ -150,7 +151,7 @@ pub(super) fn show(
     size: Vec2,
     (share, theme): (&dyn Fn(f64) -> f32, Theme),
 ) -> Option<Moved> {
-    let name = "Drawing of the prism and the light";
+    let name = said!("Drawing of the prism and the light");
     let (area, response) = kit::drawing(ui, size, Sense::drag(), name);
     let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
     painter.rect_filled(area, 0.0, grey(ROOM));
@@ -161,7 +162,7 @@ pub(super) fn show(
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
     }
-    response.on_hover_text_at_pointer("Drag to turn the prism.");
+    response.on_hover_text_at_pointer(said!("Drag to turn the prism."));
     let mut moved = (turned != 0.0).then_some(Moved::Turned(f64::from(turned)));
     let mut taken = Vec::new();
     for grip in &drawing.grips {
@@ -172,7 +173,10 @@ pub(super) fn show(
         }
     }
     if let Some(stretch) = mapping.stretch(drawing) {
-        let hint = format!("The spread is drawn {stretch:.0} times as wide.");
+        let hint = tr!(
+            "The spread is drawn {stretch} times as wide.",
+            stretch = fixed(stretch, 0)
+        );
         let at = area.right_top() + vec2(-8.0, 6.0);
         write(
             ui,
@@ -211,7 +215,11 @@ fn handle(
     let title = grip.handle.title();
     let area = Rect::from_center_size(at, Vec2::splat(2.4 * HANDLE * theme.scale));
     let response = ui.interact(area, ui.scope_id().with(title), Sense::drag());
-    named(&response, egui::Role::Slider, &format!("{title}, drawn"));
+    named(
+        &response,
+        egui::Role::Slider,
+        &tr!("{handle}, drawn", handle = title),
+    );
     let is_held = response.hovered() || response.dragged();
     knob(painter, at, is_held, theme);
     let away = 0.7 * HANDLE * theme.scale;
@@ -226,7 +234,7 @@ fn handle(
     if is_held {
         ui.set_cursor_icon(egui::CursorIcon::Grab);
     }
-    response.on_hover_text(format!("{title}: drag."));
+    response.on_hover_text(tr!("{handle}: drag.", handle = title));
     (by != Vec2::ZERO).then_some(by)
 }
 

@@ -6,6 +6,7 @@ use egui::{Slider, Ui};
 use super::{exposure, model, names, substance};
 use crate::{
     app::pages::{Beside, PrismMemory, RainbowMemory},
+    languages::said,
     optics::SEEN_NM,
     ui::{
         kit::{Choice, Form, GROUP, fold, form},
@@ -16,8 +17,8 @@ use crate::{
 /// The light of the second strip.
 pub(super) fn beside(form: &mut Form<'_>, chosen: &mut Beside) {
     let choice = Choice {
-        name: names::BESIDE,
-        meaning: "A second light in the same place: what is missing in this one is seen.",
+        name: said(names::BESIDE),
+        meaning: said!("A second light in the same place: what is missing in this one is seen."),
         width: 150.0,
     };
     form.choice(choice, chosen.title(), |ui| {
@@ -30,16 +31,17 @@ pub(super) fn beside(form: &mut Form<'_>, chosen: &mut Beside) {
 /// Which rays are drawn in the drop.
 pub(super) fn drop(form: &mut Form<'_>, memory: &mut RainbowMemory) {
     let choice = Choice {
-        name: names::BOW,
-        meaning: "After one reflection inside the drop rays make the first bow, after two the \
-                  second.",
+        name: said(names::BOW),
+        meaning: said!(
+            "After one reflection inside the drop rays make the first bow, after two the second."
+        ),
         width: 110.0,
     };
     let title = |twice: bool| {
         if twice {
-            "the second bow"
+            said!("the second bow")
         } else {
-            "the first bow"
+            said!("the first bow")
         }
     };
     form.choice(choice, title(memory.twice), |ui| {
@@ -52,10 +54,12 @@ pub(super) fn drop(form: &mut Form<'_>, memory: &mut RainbowMemory) {
     });
     let of = Slider::new(&mut memory.impact, RainbowMemory::IMPACT.reach.range())
         .fixed_decimals(2)
-        .suffix(" radii");
-    let meaning = "How far off its middle the coloured rays meet the drop; where the thin rays \
-                   crowd together they make the bow.";
-    form.slider((names::IMPACT, meaning), of);
+        .suffix(format!(" {}", said!("radii")));
+    let meaning = said!(
+        "How far off its middle the coloured rays meet the drop; where the thin rays crowd \
+         together they make the bow."
+    );
+    form.slider((said(names::IMPACT), meaning), of);
 }
 
 /// The bench: what a class plays with, and the rest on demand.
@@ -63,20 +67,27 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
     form(ui, "prism", |form| {
         let memory = &mut context.pages.prism;
-        let meaning = "The material of the prism: flint glass spreads colours twice as far as \
-                       crown glass.";
-        substance(form, app, (names::GLASS, meaning), &mut memory.made_of);
+        let meaning = said!(
+            "The material of the prism: flint glass spreads colours twice as far as crown glass."
+        );
+        substance(
+            form,
+            app,
+            (said(names::GLASS), meaning),
+            &mut memory.made_of,
+        );
         let of = Slider::new(&mut memory.apex_deg, PrismMemory::APEX.reach.range())
             .step_by(0.5)
             .suffix("\u{b0}");
-        let meaning = "The angle between the two faces that the light goes through.";
-        form.slider((names::APEX, meaning), of);
+        let meaning = said!("The angle between the two faces that the light goes through.");
+        form.slider((said(names::APEX), meaning), of);
         let of = Slider::new(&mut memory.slit_mm, PrismMemory::SLIT.reach.range())
             .logarithmic(true)
             .fixed_decimals(2)
             .suffix(" mm");
-        let meaning = "Width of the beam. Wide, lines run together and the middle turns white.";
-        form.slider((names::SLIT, meaning), of);
+        let meaning =
+            said!("Width of the beam. Wide, lines run together and the middle turns white.");
+        form.slider((said(names::SLIT), meaning), of);
         beside(form, &mut memory.beside);
     });
     ui.add_space(GROUP);
@@ -86,7 +97,7 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
         model::knobs(form, context, sent);
     });
     ui.add_space(GROUP);
-    fold(ui, "bench", "Bench", |ui| bench(ui, context));
+    fold(ui, "bench", said!("Bench"), |ui| bench(ui, context));
 }
 
 /// How the prism stands, how far the screen is, how bright it is shown.
@@ -94,17 +105,23 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
     let memory = &mut context.pages.prism;
     form(ui, "bench", |form| {
         form.rest(|ui| {
-            ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
-                .on_hover_text(
-                    "The light meets the prism so that one wavelength is bent least, as one sets \
-                     a spectroscope; else at an angle of your choice. Drag the drawing to turn it.",
-                )
+            ui.checkbox(&mut memory.at_minimum, said(names::MINIMUM))
+                .on_hover_text(said!(
+                    "The light meets the prism so that one wavelength is bent least, as one sets a \
+                     spectroscope; else at an angle of your choice. Drag the drawing to turn it."
+                ))
         });
         if memory.at_minimum {
             let of = Slider::new(&mut memory.minimum_nm, SEEN_NM[0]..=SEEN_NM[1])
                 .fixed_decimals(0)
                 .suffix(" nm");
-            form.slider((names::GREEN, "The wavelength that is bent least."), of);
+            form.slider(
+                (
+                    said(names::GREEN),
+                    said!("The wavelength that is bent least."),
+                ),
+                of,
+            );
         } else {
             let of = Slider::new(
                 &mut memory.incidence_deg,
@@ -112,14 +129,17 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
             )
             .fixed_decimals(1)
             .suffix("\u{b0}");
-            let meaning = "Angle between the light and the normal of the first face.";
-            form.slider((names::INCIDENCE, meaning), of);
+            let meaning = said!("Angle between the light and the normal of the first face.");
+            form.slider((said(names::INCIDENCE), meaning), of);
         }
         let of = Slider::new(&mut memory.screen_mm, PrismMemory::SCREEN.reach.range())
             .logarithmic(true)
             .fixed_decimals(0)
             .suffix(" mm");
-        form.slider((names::SCREEN, "From the prism to the screen."), of);
+        form.slider(
+            (said(names::SCREEN), said!("From the prism to the screen.")),
+            of,
+        );
         exposure(form, &mut memory.stops);
     });
 }

@@ -16,7 +16,7 @@ const SEEN: f32 = 1.5;
 
 /// Draws the drop; where a hand moved the rays to, radii off its middle.
 pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme) -> Option<f64> {
-    let name = "A drop with rays of the light";
+    let name = said!("A drop with rays of the light");
     let (area, response) = kit::drawing(ui, size, Sense::drag(), name);
     let painter = ui.painter().with_clip_rect(area);
     painter.rect_filled(area, 0.0, grey(super::bench::ROOM));
@@ -40,13 +40,13 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
     let is_held = response.hovered() || response.dragged();
     super::bench::knob(&painter, hand, is_held, theme);
     let corner = pos2(area.left() + 8.0, area.top() + 6.0);
-    let said = "light from the left; thin: all of 555 nm";
+    let said = said!("light from the left; thin: all of 555 nm");
     let words = (corner, egui::Align2::LEFT_TOP, said, grey(140));
     super::bench::write(ui, &painter, words, &mut Vec::new());
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeVertical);
     }
     let moved = f64::from(-response.drag_delta().y / scale);
-    response.on_hover_text_at_pointer("Drag up and down: where the light meets the drop.");
+    response.on_hover_text_at_pointer(said!("Drag up and down: where the light meets the drop."));
     (moved != 0.0).then_some(drawing.impact + moved)
 }

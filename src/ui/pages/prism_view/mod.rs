@@ -11,8 +11,6 @@ mod substance;
 
 pub(super) use substance::substance;
 
-use std::sync::LazyLock;
-
 use bench::Moved;
 use eframe::egui;
 use egui::{RichText, Slider, Ui, Vec2, vec2};
@@ -24,6 +22,7 @@ use crate::{
         dispersion::{PrismShown, RainbowShown, Sent, sky},
         pages::{PrismMemory, RainbowMemory, STOPS},
     },
+    languages::{fixed, said},
     optics::Sky,
     ui::kit::{
         self, Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel,
@@ -32,19 +31,19 @@ use crate::{
 
 /// What people and tests call the controls.
 pub(super) mod names {
-    pub(crate) const GLASS: &str = "Glass";
-    pub(crate) const APEX: &str = "Apex angle";
-    pub(crate) const MINIMUM: &str = "least deviation";
-    pub(crate) const INCIDENCE: &str = "Light meets it at";
-    pub(crate) const GREEN: &str = "for";
-    pub(crate) const SLIT: &str = "Slit";
-    pub(crate) const SCREEN: &str = "Screen";
-    pub(crate) const IMPACT: &str = "Rays meet it at";
-    pub(crate) const BOW: &str = "Drawn";
-    pub(crate) const EXPOSURE: &str = "Exposure";
-    pub(crate) const BESIDE: &str = "Beside it";
-    pub(crate) const DISC: &str = "as wide as the sun";
-    pub(crate) const COPY: &str = "Copy lines as CSV";
+    pub(crate) const GLASS: &str = later!("Glass");
+    pub(crate) const APEX: &str = later!("Apex angle");
+    pub(crate) const MINIMUM: &str = later!("least deviation");
+    pub(crate) const INCIDENCE: &str = later!("Light meets it at");
+    pub(crate) const GREEN: &str = later!("for");
+    pub(crate) const SLIT: &str = later!("Slit");
+    pub(crate) const SCREEN: &str = later!("Screen");
+    pub(crate) const IMPACT: &str = later!("Rays meet it at");
+    pub(crate) const BOW: &str = later!("Drawn");
+    pub(crate) const EXPOSURE: &str = later!("Exposure");
+    pub(crate) const BESIDE: &str = later!("Beside it");
+    pub(crate) const DISC: &str = later!("as wide as the sun");
+    pub(crate) const COPY: &str = later!("Copy lines as CSV");
 }
 
 /// Height of a fold that is shut, with the notes above it, points.
@@ -69,10 +68,12 @@ pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
     let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1)
-        .suffix(" stops");
-    let meaning = "Brightness of the picture; each stop doubles it. A double click in the number's \
-                   box lets you type it.";
-    form.slider((names::EXPOSURE, meaning), of);
+        .suffix(format!(" {}", said!("stops")));
+    let meaning = said!(
+        "Brightness of the picture; each stop doubles it. A double click in the number's box lets \
+         you type it."
+    );
+    form.slider((said(names::EXPOSURE), meaning), of);
 }
 
 /// What must be said beside a picture, in small type.
@@ -108,7 +109,12 @@ fn lines(
         .collect();
     Table::dense(columns, context.theme).show(ui, &rows, &mut |_, _, _| {});
     ui.horizontal(|ui| {
-        copy_button(ui, names::COPY, "The lines with every figure.", copy);
+        copy_button(
+            ui,
+            said(names::COPY),
+            said!("The lines with every figure."),
+            copy,
+        );
     });
 }
 
@@ -137,8 +143,10 @@ impl PrismView {
             });
             said_of(ui, shown, context.pages.prism.sent);
             if !shown.rows.is_empty() {
-                fold(ui, "lines", "Every line in figures", |ui| {
-                    lines(ui, context, table_of(shown), || shown.csv.clone());
+                fold(ui, "lines", said!("Every line in figures"), |ui| {
+                    let columns = prism_columns();
+                    let table = (&columns[..], &shown.rows[..], &shown.told[..]);
+                    lines(ui, context, table, || shown.csv.clone());
                 });
             }
         };
@@ -159,9 +167,14 @@ impl PrismView {
         let picture = |ui: &mut Ui, context: &mut PageContext<'_>, room: Vec2| {
             let axis = strips::Axis {
                 ends: shown.ends_deg,
-                label: "\u{b0} from the point opposite the sun",
+                label: said!("° from the point opposite the sun"),
                 nm: &[],
-                tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
+                tells: &|angle| {
+                    tr!(
+                        "{angle}° from the point opposite the sun",
+                        angle = fixed(angle, 2)
+                    )
+                },
             };
             let below = strips::height(&shown.strips, &axis, theme) + FOLDED * theme.scale;
             let high = (room.y - below).min(0.6 * room.x).max(LEAST);
@@ -172,11 +185,13 @@ impl PrismView {
             }
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);
-            let always = "By rays alone: no supernumerary bows, as in drops above 0.5 mm. The \
-                          ground, the sky behind and the person are drawn, not computed.";
+            let always = said!(
+                "By rays alone: no supernumerary bows, as in drops above 0.5 mm. The ground, the \
+                 sky behind and the person are drawn, not computed."
+            );
             notes(ui, said.chain([always]));
             if !shown.table.is_empty() {
-                fold(ui, "lines", "Every line in figures", |ui| {
+                fold(ui, "lines", said!("Every line in figures"), |ui| {
                     let columns = kit::columns(&shown.table, &[2.2, 1.0, 1.0, 1.0, 1.0, 1.0]);
                     let rows: Vec<Vec<String>> = shown.table.shown().collect();
                     lines(ui, context, (&columns, &rows, &[]), || shown.table.csv());
@@ -194,7 +209,7 @@ impl PrismView {
 fn rainbow_controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RainbowShown) {
     let theme = context.theme;
     if let Some(drawing) = &shown.drop {
-        ui.strong("One of the drops");
+        ui.strong(said!("One of the drops"));
         let wide = ui.available_width();
         let moved = drop::show(ui, drawing, vec2(wide, 0.72 * wide), theme);
         let impact = &mut context.pages.rainbow.impact;
@@ -211,10 +226,11 @@ fn rainbow_controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RainbowS
         let memory = &mut context.pages.rainbow;
         controls::drop(form, memory);
         form.rest(|ui| {
-            ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
-                "The sun is half a degree wide and blurs every bow by as much; without it each \
-                 line is as sharp as a drop makes it.",
-            )
+            ui.checkbox(&mut memory.disc, said(names::DISC))
+                .on_hover_text(said!(
+                    "The sun is half a degree wide and blurs every bow by as much; without it each \
+                     line is as sharp as a drop makes it."
+                ))
         });
         controls::beside(form, &mut memory.beside);
         exposure(form, &mut memory.stops);
@@ -247,15 +263,18 @@ fn drawn(
 
 /// What is told of a place on the screen.
 fn told(shown: &PrismShown, x_mm: f64) -> String {
-    shown
-        .told(x_mm)
-        .unwrap_or_else(|| format!("{x_mm:.2} mm: no light from 380 to 780 nm lands there."))
+    shown.told(x_mm).unwrap_or_else(|| {
+        tr!(
+            "{place} mm: no light from 380 to 780 nm lands there.",
+            place = fixed(x_mm, 2)
+        )
+    })
 }
 
 fn axis_of<'a>(shown: &'a PrismShown, tells: &'a dyn Fn(f64) -> String) -> strips::Axis<'a> {
     strips::Axis {
         ends: shown.ends_mm,
-        label: "mm on the screen",
+        label: said!("mm on the screen"),
         nm: &shown.scale,
         tells,
     }
@@ -269,33 +288,39 @@ fn said_of(ui: &mut Ui, shown: &PrismShown, sent: Sent) {
     notes(ui, said.chain(words.as_deref()));
 }
 
-/// The table of the lines: its columns, its rows, and what is told of each.
-fn table_of(shown: &PrismShown) -> (&'static [Column], &[Vec<String>], &[String]) {
-    (&*PRISM_COLUMNS, &shown.rows, &shown.told)
-}
-
-static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
+/// The columns of the table of the lines.
+fn prism_columns() -> [Column; 8] {
     [
-        Column::words("line", "The element, by all lines together.", 1.7),
-        Column::numbers("nm", "Wavelength in air.", 1.0),
-        Column::numbers("n", "Index of refraction of the glass there.", 1.0),
-        Column::numbers(
-            "turned \u{b0}",
-            "Deviation: how far the ray is turned.",
-            1.0,
+        Column::words(
+            said!("line"),
+            said!("The element, by all lines together."),
+            1.7,
         ),
-        Column::numbers("place mm", "Where it lands on the screen.", 1.0),
-        Column::numbers("width mm", "Width of the slit's image.", 1.0),
+        Column::numbers("nm", said!("Wavelength in air."), 1.0),
+        Column::numbers("n", said!("Index of refraction of the glass there."), 1.0),
         Column::numbers(
-            "passed %",
-            "Share of its light that both faces let through.",
+            said!("turned °"),
+            said!("Deviation: how far the ray is turned."),
             1.0,
         ),
         Column::numbers(
-            "apart nm",
-            "Two lines nearer than this run together, and what limits it: the slit, or the \
-             length of the glass.",
+            said!("place mm"),
+            said!("Where it lands on the screen."),
+            1.0,
+        ),
+        Column::numbers(said!("width mm"), said!("Width of the slit's image."), 1.0),
+        Column::numbers(
+            said!("passed %"),
+            said!("Share of its light that both faces let through."),
+            1.0,
+        ),
+        Column::numbers(
+            said!("apart nm"),
+            said!(
+                "Two lines nearer than this run together, and what limits it: the slit, or the \
+                 length of the glass."
+            ),
             1.4,
         ),
     ]
-});
+}

@@ -6,14 +6,15 @@ use egui::{Slider, SliderClamping};
 
 use crate::{
     app::{Command, Detector, answers::LINE_THRESHOLDS, dispersion::Sent, ticks},
+    languages::said,
     ui::{kit::Form, pages::PageContext},
 };
 
 /// What people and tests call them.
 pub(crate) mod names {
-    pub(crate) const MODEL: &str = "as the model has it";
-    pub(crate) const ORDER: &str = "Waves";
-    pub(crate) const LINES: &str = "Lines above";
+    pub(crate) const MODEL: &str = later!("as the model has it");
+    pub(crate) const ORDER: &str = later!("Waves");
+    pub(crate) const LINES: &str = later!("Lines above");
 }
 
 /// Orders that the slider reaches; more can be typed elsewhere.
@@ -22,9 +23,11 @@ const MOST: usize = 40;
 /// The switch between what was measured and the model.
 pub(crate) fn sent(form: &mut Form<'_>, sent: &mut Sent) {
     let mut of_model = *sent == Sent::Model;
-    let meaning = "Each line is one wavelength either way. The rest goes through as it was \
-                   measured, or as the model's waves draw it: what the model loses is seen.";
-    let switch = form.rest(|ui| ui.checkbox(&mut of_model, names::MODEL));
+    let meaning = said!(
+        "Each line is one wavelength either way. The rest goes through as it was measured, or as \
+         the model's waves draw it: what the model loses is seen."
+    );
+    let switch = form.rest(|ui| ui.checkbox(&mut of_model, said(names::MODEL)));
     if switch.on_hover_text(meaning).changed() {
         *sent = if of_model {
             Sent::Model
@@ -40,8 +43,9 @@ pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Se
     let mut settings = before;
     if sent == Sent::Model {
         let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
-        let meaning = "Waves that draw the smooth part: order N, which takes 2N + 1 numbers.";
-        form.slider((names::ORDER, meaning), of);
+        let meaning =
+            said!("Waves that draw the smooth part: order N, which takes 2N + 1 numbers.");
+        form.slider((said(names::ORDER), meaning), of);
     }
     // Otherwise it decides nothing.
     if settings.spikes && settings.detector == Detector::Energy {
@@ -51,9 +55,11 @@ pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Se
             .clamping(SliderClamping::Never)
             .custom_formatter(|v, _| ticks::short(v))
             .suffix(" %");
-        let meaning = "Share of the power above which a peak is a line of its own, one exact ray; \
-                       below it melts into the smooth part and is smeared.";
-        form.slider((names::LINES, meaning), of);
+        let meaning = said!(
+            "Share of the power above which a peak is a line of its own, one exact ray; below it \
+             melts into the smooth part and is smeared."
+        );
+        form.slider((said(names::LINES), meaning), of);
     }
     if settings != before {
         context.commands.push(Command::Edit(settings));

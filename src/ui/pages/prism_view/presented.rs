@@ -9,6 +9,7 @@ use crate::{
         dispersion::{PrismShown, RainbowShown, StripShown, sky},
         pages::{PrismMemory, RainbowMemory, STOPS},
     },
+    languages::{fixed, said},
     ui::{
         kit::form,
         pages::{PageContext, presented::head},
@@ -72,8 +73,8 @@ fn exposed(ui: &mut Ui, stops: &mut f64) {
     let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1);
-    let meaning = "Brightness of the picture, in stops; each doubles it.";
-    below(ui, (names::EXPOSURE, meaning), of);
+    let meaning = said!("Brightness of the picture, in stops; each doubles it.");
+    below(ui, (said(names::EXPOSURE), meaning), of);
 }
 
 /// Height of a strip without words below it, points.
@@ -112,16 +113,17 @@ impl PrismView {
             let of = Slider::new(apex, PrismMemory::APEX.reach.range())
                 .step_by(0.5)
                 .suffix("\u{b0}");
-            let meaning = "The angle between the two faces that the light goes through.";
-            below(ui, (names::APEX, meaning), of);
+            let meaning = said!("The angle between the two faces that the light goes through.");
+            below(ui, (said(names::APEX), meaning), of);
         };
         let slit = &mut |ui: &mut Ui| {
             let of = Slider::new(slit, PrismMemory::SLIT.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(2)
                 .suffix(" mm");
-            let meaning = "Width of the beam. Wide, lines run together and the middle turns white.";
-            below(ui, (names::SLIT, meaning), of);
+            let meaning =
+                said!("Width of the beam. Wide, lines run together and the middle turns white.");
+            below(ui, (said(names::SLIT), meaning), of);
         };
         if in_lesson {
             // The lesson points at it.
@@ -157,9 +159,14 @@ impl PrismView {
         let (theme, strip) = only_first(&shown.strips, context.theme);
         let axis = strips::Axis {
             ends: shown.ends_deg,
-            label: "\u{b0} from the point opposite the sun",
+            label: said!("° from the point opposite the sun"),
             nm: &[],
-            tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
+            tells: &|angle| {
+                tr!(
+                    "{angle}° from the point opposite the sun",
+                    angle = fixed(angle, 2)
+                )
+            },
         };
         let guess = || strip_height(&strip, &axis, theme) + row_height(ui);
         let left = ui.available_height() - self.below[1].unwrap_or_else(guess);
@@ -193,8 +200,8 @@ impl PrismView {
             let of = Slider::new(impact, RainbowMemory::IMPACT.reach.range())
                 .fixed_decimals(2)
                 .suffix(" r");
-            let meaning = "How far off its middle the coloured rays meet the drop, radii.";
-            below(ui, (names::IMPACT, meaning), of);
+            let meaning = said!("How far off its middle the coloured rays meet the drop, radii.");
+            below(ui, (said(names::IMPACT), meaning), of);
         };
         row(ui, context.theme, [bright, rays]);
         measured(ui, top, &mut self.below[1]);

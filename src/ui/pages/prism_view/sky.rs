@@ -55,7 +55,7 @@ impl Painted {
         (size, bow_deg): (Vec2, Option<f64>),
         theme: Theme,
     ) {
-        let name = "The sky with both rainbows";
+        let name = said!("The sky with both rainbows");
         let (area, _) = drawing(ui, size, Sense::hover(), name);
         let shrink = (size.x / MOST).max(1.0);
         let pixels = [size.x, size.y].map(|side| ((side / shrink) as usize).max(1));
@@ -76,7 +76,7 @@ impl Painted {
         shadow(&painter, head, a_degree, area.bottom());
         let mut taken = Vec::new();
         let beside = vec2(2.6 * a_degree, 0.0);
-        let words = "your head's shadow, opposite the sun";
+        let words = said!("your head's shadow, opposite the sun");
         let at = (head + beside, Align2::LEFT_CENTER, words, grey(200));
         write(ui, &painter, at, &mut taken);
         if let Some(bow_deg) = bow_deg {

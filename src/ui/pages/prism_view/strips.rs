@@ -87,7 +87,7 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
         let plotted = plot_height(strip) * scale;
         let high = strip_height(index) * scale;
         let size = vec2(ui.available_width(), high + plotted + names);
-        let name = format!("Strip of {}", strip.name);
+        let name = tr!("Strip of {strip}", strip = strip.name);
         let (area, response) = drawing(ui, size, Sense::hover(), &name);
         let whole = area.with_max_y(area.bottom() - names);
         let field = whole.with_max_y(area.top() + high);
@@ -138,7 +138,7 @@ fn plot(ui: &Ui, field: Rect, strip: &StripShown) {
     painter.add(Shape::line(smooth, (1.0, grey(225))));
     painter.line_segment([field.left_top(), field.right_top()], (1.0, grey(60)));
     let at = field.left_top() + vec2(6.0, 3.0);
-    let words = "irradiance, heights by roots; the line is the smooth part";
+    let words = said!("irradiance, heights by roots; the line is the smooth part");
     let painter = painter.with_clip_rect(field.intersect(painter.clip_rect()));
     super::bench::write(
         ui,

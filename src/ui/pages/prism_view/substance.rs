@@ -45,15 +45,17 @@ pub(crate) fn substance(
         if numbers.clicked() && !is_numbers {
             *made_of = Substance::NUMBERS;
         }
-        ui.weak("Files of refractiveindex.info that you open join the list.");
+        ui.weak(said!(
+            "Files of refractiveindex.info that you open join the list."
+        ));
     };
     form.choice(choice, &now, list);
     if let Substance::Numbers { n_d, v_d } = made_of {
         let of = Slider::new(n_d, INDICES.range()).fixed_decimals(4);
-        let meaning = "Index of refraction at the yellow line d, 587.6 nm.";
+        let meaning = said!("Index of refraction at the yellow line d, 587.6 nm.");
         form.slider((names::INDEX, meaning), of);
         let of = Slider::new(v_d, ABBES.range()).fixed_decimals(1);
-        let meaning = "Abbe number: the smaller, the further the colours are spread.";
+        let meaning = said!("Abbe number: the smaller, the further the colours are spread.");
         form.slider((names::ABBE, meaning), of);
     }
 }

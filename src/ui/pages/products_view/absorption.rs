@@ -1,5 +1,6 @@
 //! The page "Dark lines": dips as negative spikes, and their names.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
@@ -11,6 +12,7 @@ use crate::{
         pages::knob::Knob,
         ticks::short,
     },
+    languages::{fixed, said},
     spectrum::Band,
     ui::{
         kit::{
@@ -23,12 +25,12 @@ use crate::{
 
 /// Names of controls, shared with the tests that move them.
 pub mod names {
-    pub const OTHER: &str = "Another light, glass or surface";
-    pub const DIPS: &str = "Look for dark lines";
-    pub const THRESHOLD: &str = "Least share of a dark line";
-    pub const WIDTH: &str = "Widest dark line";
-    pub const COPY: &str = "Copy as CSV";
-    pub const ALL: &str = "Every dark line in figures";
+    pub const OTHER: &str = later!("Another light, glass or surface");
+    pub const DIPS: &str = later!("Look for dark lines");
+    pub const THRESHOLD: &str = later!("Least share of a dark line");
+    pub const WIDTH: &str = later!("Widest dark line");
+    pub const COPY: &str = later!("Copy as CSV");
+    pub const ALL: &str = later!("Every dark line in figures");
 }
 
 /// Least height of the chart, and height of a fold that is shut, points.
@@ -47,32 +49,32 @@ struct Example {
 
 const EXAMPLES: [Example; 4] = [
     Example {
-        title: "Sun on the ground",
-        meaning: "ASTM G173 global tilt: Fraunhofer's lines, and the oxygen of the air.",
+        title: later!("Sun on the ground"),
+        meaning: later!("ASTM G173 global tilt: Fraunhofer's lines, and the oxygen of the air."),
         key: "solar_astm_g173/ASTM G173-03 global tilt AM1.5G",
         threshold_percent: 0.1,
         max_width_nm: 4.5,
         band_nm: [380.0, 780.0],
     },
     Example {
-        title: "Sun in space",
-        meaning: "ASTM G173 extraterrestrial: the sun's own lines alone.",
+        title: later!("Sun in space"),
+        meaning: later!("ASTM G173 extraterrestrial: the sun's own lines alone."),
         key: "solar_astm_g173/ASTM G173-03 extraterrestrial",
         threshold_percent: 0.05,
         max_width_nm: 3.0,
         band_nm: [380.0, 780.0],
     },
     Example {
-        title: "Holmium oxide",
-        meaning: "The powder's reflectance: bands so wide that few pass for lines.",
+        title: later!("Holmium oxide"),
+        meaning: later!("The powder's reflectance: bands so wide that few pass for lines."),
         key: "usgs_splib07/Holmium oxide powder (USGS splib07a Record 18789)",
         threshold_percent: 0.15,
         max_width_nm: 25.0,
         band_nm: [380.0, 700.0],
     },
     Example {
-        title: "Neodymium lamp",
-        meaning: "An incandescent lamp with neodymium in its bulb, a table of 5 nm.",
+        title: later!("Neodymium lamp"),
+        meaning: later!("An incandescent lamp with neodymium in its bulb, a table of 5 nm."),
         key: "lamps_nist_traditional/Neodimium Incandescent",
         threshold_percent: 0.15,
         max_width_nm: 30.0,
@@ -112,7 +114,7 @@ impl Found {
         Self {
             // An example is called as on its button.
             words: example.map_or(words.clone(), |example| {
-                words.replace(subject.name(), example.title)
+                words.replace(subject.name(), said(example.title))
             }),
             rows: rows.into_iter().map(|(_, row)| row).collect(),
             sheet,
@@ -158,7 +160,7 @@ impl AbsorptionView {
             let left = room - (ui.cursor().top() - top) - FOLDED * scale;
             let size = vec2(ui.available_width(), left.max(CHART * scale));
             context.chart(ui, &found.sheet.chart, "absorption", size);
-            fold(ui, "dips", names::ALL, |ui| {
+            fold(ui, "dips", said(names::ALL), |ui| {
                 dip_table(ui, context, &found.sheet, &found.rows);
             });
         });
@@ -171,16 +173,16 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
     ui.horizontal_wrapped(|ui| {
         for (index, example) in EXAMPLES.iter().enumerate() {
             let is_shown = subject.key == example.key || is_example && index == 0;
-            let response = ui.selectable_label(is_shown, example.title);
+            let response = ui.selectable_label(is_shown, said(example.title));
             if response
-                .on_hover_text(format!(
-                    "{} Shows it with dark lines of at least {} % of the power, up to {} nm wide, on \
-                     {}-{} nm.",
-                    example.meaning,
-                    short(example.threshold_percent),
-                    short(example.max_width_nm),
-                    short(example.band_nm[0]),
-                    short(example.band_nm[1]),
+                .on_hover_text(tr!(
+                    "{meaning} Shows it with dark lines of at least {share} % of the power, up to \
+                     {width} nm wide, on {from}-{to} nm.",
+                    meaning = said(example.meaning),
+                    share = short(example.threshold_percent),
+                    width = short(example.max_width_nm),
+                    from = short(example.band_nm[0]),
+                    to = short(example.band_nm[1])
                 ))
                 .clicked()
                 && let Some(entry) = app.entry(example.key)
@@ -193,11 +195,13 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
             }
         }
         let other = Chooser {
-            name: names::OTHER,
-            meaning: "Any light, filter, glass or surface, shipped or your own; it becomes what \
-                      the window shows.",
+            name: said(names::OTHER),
+            meaning: said!(
+                "Any light, filter, glass or surface, shipped or your own; it becomes what the \
+                 window shows."
+            ),
             says: if EXAMPLES.iter().any(|e| e.key == subject.key) {
-                "Another …"
+                said!("Another …")
             } else {
                 subject.name()
             },
@@ -238,18 +242,18 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
     let mut settings = before;
     ui.horizontal_wrapped(|ui| {
         if is_example {
-            ui.weak(format!(
-                "An example. In {}:",
-                document.subject_entry().name()
+            ui.weak(tr!(
+                "An example. In {spectrum}:",
+                spectrum = document.subject_entry().name()
             ));
         }
         let mut on = looks(before);
         if ui
-            .checkbox(&mut on, names::DIPS)
-            .on_hover_text(
+            .checkbox(&mut on, said(names::DIPS))
+            .on_hover_text(said!(
                 "Absorption lines become lines of negative weight. This needs lines found by \
-                 energy and switches that on.",
-            )
+                 energy and switches that on."
+            ))
             .changed()
         {
             settings = if on {
@@ -270,7 +274,7 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
                         meaning: &str,
                         name| {
             let label = ui.label(before);
-            let drag = DragValue::new(value)
+            let drag = drag_value(value)
                 .range(knob.reach.range())
                 .speed(speed)
                 .custom_formatter(|v, _| short(v))
@@ -279,20 +283,20 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
             named(&response, egui::Role::SpinButton, name);
         };
         knob(
-            "of at least",
+            said!("of at least"),
             &mut settings.threshold_percent,
             (Settings::THRESHOLD, 0.01),
-            "Least share of the total power that a line must carry or lack, percent.",
-            names::THRESHOLD,
+            said!("Least share of the total power that a line must carry or lack, percent."),
+            said(names::THRESHOLD),
         );
         knob(
-            "up to",
+            said!("up to"),
             &mut settings.max_width_nm,
             (Settings::WIDTH, 0.1),
-            "Widest line, full width at half maximum, nm.",
-            names::WIDTH,
+            said!("Widest line, full width at half maximum, nm."),
+            said(names::WIDTH),
         );
-        ui.label("wide");
+        ui.label(said!("wide"));
     });
     if settings != before {
         context.commands.push(Command::Edit(settings));
@@ -304,19 +308,26 @@ fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
         .dips
         .iter()
         .filter(|dip| dip.below_zero)
-        .map(|dip| format!("{:.1}", dip.spike.at_nm))
+        .map(|dip| fixed(dip.spike.at_nm, 1))
         .collect();
-    let (takes, there) = match below.len() {
-        0 => return,
-        1 => ("the dark line takes", "this place"),
-        _ => ("these dark lines take", "these places"),
+    if below.is_empty() {
+        return;
+    }
+    let width = short(context.app.document().settings.max_width_nm);
+    let words = match below.len() {
+        1 => tr!(
+            "The model's total goes below zero at {place} nm: drawn {width} nm wide, the dark line \
+             takes more than the smooth part has there. Not to be believed at this place.",
+            place = below[0],
+            width
+        ),
+        _ => tr!(
+            "The model's total goes below zero at {places} nm: drawn {width} nm wide, these dark \
+             lines take more than the smooth part has there. Not to be believed at these places.",
+            places = below.join(", "),
+            width
+        ),
     };
-    let words = format!(
-        "The model's total goes below zero at {} nm: drawn {} nm wide, {takes} more than the \
-         smooth part has there. Not to be believed at {there}.",
-        below.join(", "),
-        short(context.app.document().settings.max_width_nm),
-    );
     warning(ui, context.theme, words);
 }
 
@@ -324,42 +335,46 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
     ui.horizontal(|ui| {
         let count = found.dips.len();
         ui.strong(match count {
-            0 => "No dark lines".to_owned(),
-            1 => "1 dark line".to_owned(),
-            _ => format!("{count} dark lines"),
+            0 => said!("No dark lines").to_owned(),
+            _ => tr!("{n} dark line" | "{n} dark lines" % count),
         });
         if count > 0 {
             let named = found.dips.iter().filter(|dip| dip.name.is_some()).count();
-            ui.weak(format!("{named} named")).on_hover_text(
-                "A dark line has a name only where it stands at a known line and most other lines of \
-                 the same family are in the measured curve too.",
-            );
-            let meaning = "Copies places, weights, depths and names as a table.";
-            copy_button(ui, names::COPY, meaning, || found.table.csv());
+            ui.weak(tr!("{n} named" | "{n} named" % named))
+                .on_hover_text(said!(
+                    "A dark line has a name only where it stands at a known line and most other \
+                     lines of the same family are in the measured curve too."
+                ));
+            let meaning = said!("Copies places, weights, depths and names as a table.");
+            copy_button(ui, said(names::COPY), meaning, || found.table.csv());
         }
     });
     if rows.is_empty() {
         if looks(context.app.document().settings) {
-            ui.weak("Nothing narrow enough is missing. Lower the share or allow wider ones.");
+            ui.weak(said!(
+                "Nothing narrow enough is missing. Lower the share or allow wider ones."
+            ));
         }
         return;
     }
     let columns = [
-        Column::numbers("nm", "Centroid of the dark line, nm.", 0.8),
+        Column::numbers("nm", said!("Centroid of the dark line, nm."), 0.8),
         Column::numbers(
-            "weight",
-            "Power that is missing, in the plot's unit × nm.",
+            said!("weight"),
+            said!("Power that is missing, in the plot's unit × nm."),
             1.0,
         ),
         Column::numbers(
-            "depth",
-            "Share of the background that is missing at its deepest, percent.",
+            said!("depth"),
+            said!("Share of the background that is missing at its deepest, percent."),
             0.9,
         ),
         Column::words(
-            "line",
-            "Named only where it is safe. A known line without a weight is seen in the curve, but \
-             takes less than the least share: it is no number of the model.",
+            said!("line"),
+            said!(
+                "Named only where it is safe. A known line without a weight is seen in the curve, \
+                 but takes less than the least share: it is no number of the model."
+            ),
             1.6,
         ),
     ];
@@ -367,23 +382,29 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
 }
 
 fn row(app: &App, dip: &DipRow) -> Row {
-    let depth = dip
-        .depth
-        .map_or_else(|| "–".to_owned(), |depth| format!("{:.1} %", 100.0 * depth));
+    let depth = dip.depth.map_or_else(
+        || "–".to_owned(),
+        |depth| format!("{} %", fixed(100.0 * depth, 1)),
+    );
     let mut name = dip.name.clone().unwrap_or_else(|| "–".to_owned());
     if dip.below_zero {
         name = format!("▲ {name}");
     }
     let cells = vec![
-        format!("{:.1}", dip.spike.at_nm),
+        fixed(dip.spike.at_nm, 1),
         short(app.scale_factor() * dip.spike.weight),
         depth,
         name.clone(),
     ];
     Row {
-        name: format!("Dark line at {} nm, depth {}, {name}", cells[0], cells[2]),
+        name: tr!(
+            "Dark line at {place} nm, depth {depth}, {name}",
+            place = cells[0],
+            depth = cells[2],
+            name
+        ),
         note: if dip.below_zero {
-            "The dark line takes the model's total below zero.".to_owned()
+            said!("The dark line takes the model's total below zero.").to_owned()
         } else {
             String::new()
         },
@@ -395,12 +416,17 @@ fn row(app: &App, dip: &DipRow) -> Row {
 /// A known line that is seen and is no dip of the model.
 fn known_row(line: &DarkLine) -> Row {
     let [at, depth] = [
-        format!("{:.1}", line.at_nm()),
-        format!("{:.1} %", 100.0 * line.depth),
+        fixed(line.at_nm(), 1),
+        format!("{} %", fixed(100.0 * line.depth, 1)),
     ];
     Row {
-        name: format!("Known line at {at} nm, depth {depth}, {}", line.name),
-        note: "Seen in the curve; no number of the model stands for it.".to_owned(),
+        name: tr!(
+            "Known line at {place} nm, depth {depth}, {name}",
+            place = at,
+            depth,
+            name = line.name
+        ),
+        note: said!("Seen in the curve; no number of the model stands for it.").to_owned(),
         cells: vec![at, "–".to_owned(), depth, line.name.to_owned()],
         ..Row::default()
     }

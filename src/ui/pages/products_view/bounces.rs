@@ -16,8 +16,10 @@ use crate::{
         pages::BouncesMemory,
         products::ModelledLight,
         studies::Stage,
+        ticks::short,
         verdicts::HARD_TO_SEE,
     },
+    languages::said,
     study::Progress,
     ui::{
         kit::{Column, GROUP, Row, headline, scrolled, table, titled},
@@ -27,11 +29,11 @@ use crate::{
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const SURFACE: &str = "Surface";
-    pub const TOTAL: &str = "total";
-    pub const ADDED: &str = "added by forming";
-    pub const LOG: &str = "logarithmic";
-    pub const COPY: &str = "Copy bounces as CSV";
+    pub const SURFACE: &str = later!("Surface");
+    pub const TOTAL: &str = later!("total");
+    pub const ADDED: &str = later!("added by forming");
+    pub const LOG: &str = later!("logarithmic");
+    pub const COPY: &str = later!("Copy bounces as CSV");
 }
 
 /// The part and what it keeps from frame to frame.
@@ -48,7 +50,7 @@ impl BouncesView {
             headline(
                 ui,
                 context.theme,
-                "Choose the surface that the light bounces off.",
+                said!("Choose the surface that the light bounces off."),
             );
             controls(ui, context);
             return;
@@ -65,17 +67,17 @@ impl BouncesView {
             }
         });
         if !matches!(job.stage(), Stage::Done | Stage::Running(_)) {
-            progress(ui, job, "Error against bounces");
+            progress(ui, job, said!("Error against bounces"));
         }
         let Some(bounced) = job.result().cloned() else {
             controls(ui, context);
             return;
         };
         let words = bounced.sentence(context.pages.bounces.added);
-        headline(ui, context.theme, words).on_hover_text(
+        headline(ui, context.theme, words).on_hover_text(said!(
             "Measured on this light and surface. Both sides are brightened so that the exact \
-             product has half the light's Y.",
-        );
+             product has half the light's Y."
+        ));
         ui.add_space(GROUP);
         controls(ui, context);
         ui.add_space(GROUP);
@@ -100,50 +102,61 @@ impl BouncesView {
 /// The surface, and what is drawn.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        surface_chooser(ui, context, names::SURFACE);
+        surface_chooser(ui, context, said(names::SURFACE));
         ui.separator();
         let memory = &mut context.pages.bounces;
         ui.label("ΔE₀₀");
-        ui.selectable_value(&mut memory.added, false, names::TOTAL)
-            .on_hover_text(
-                "CIEDE2000 of the model against measured light times the measured surface.",
-            );
-        ui.selectable_value(&mut memory.added, true, names::ADDED)
-            .on_hover_text(
-                "CIEDE2000 against the exact product of the very same series: what forming \
-                 the products adds. At 1 nm nothing is added.",
-            );
+        ui.selectable_value(&mut memory.added, false, said(names::TOTAL))
+            .on_hover_text(said!(
+                "CIEDE2000 of the model against measured light times the measured surface."
+            ));
+        ui.selectable_value(&mut memory.added, true, said(names::ADDED))
+            .on_hover_text(said!(
+                "CIEDE2000 against the exact product of the very same series: what forming the \
+                 products adds. At 1 nm nothing is added."
+            ));
         ui.separator();
-        ui.checkbox(&mut memory.log, names::LOG)
-            .on_hover_text("A logarithmic vertical axis; errors below 0.001 stand at its foot.");
+        ui.checkbox(&mut memory.log, said(names::LOG))
+            .on_hover_text(said!(
+                "A logarithmic vertical axis; errors below 0.001 stand at its foot."
+            ));
     });
 }
 
 /// Errors behind a few counts of bounces.
 fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added: bool) {
     let title = if added {
-        "ΔE₀₀ added by forming the products, behind K bounces, both brightened to half the light's Y"
+        said!(
+            "ΔE₀₀ added by forming the products, behind K bounces, both brightened to half the \
+             light's Y"
+        )
     } else {
-        "ΔE₀₀ behind K bounces, both sides brightened to half the light's Y"
+        said!("ΔE₀₀ behind K bounces, both sides brightened to half the light's Y")
     };
     let app = context.app;
-    let copied = "Copies total and added errors behind every number of bounces as a table.";
-    titled(ui, title, names::COPY, copied, || bounced.table(app).csv());
+    let copied = said!("Copies total and added errors behind every number of bounces as a table.");
+    titled(ui, title, said(names::COPY), copied, || {
+        bounced.table(app).csv()
+    });
     let mut columns = vec![Column::words(
-        "way",
-        "Way of forming products. Click a row to form all products so.",
+        said!("way"),
+        said!("Way of forming products. Click a row to form all products so."),
         2.2,
     )];
     columns.extend(TOLD.map(|k| {
         Column::numbers(
             &format!("K = {k}"),
-            &format!("CIEDE2000 behind {k} bounces, the white is the light."),
+            &tr!("CIEDE2000 behind {n} bounces, the white is the light."
+                | "CIEDE2000 behind {n} bounces, the white is the light." % k),
             1.2,
         )
     }));
     columns.push(Column::numbers(
-        "below 1 up to",
-        &format!("The last bounce of those from the first on whose ΔE₀₀ stay below {HARD_TO_SEE}."),
+        said!("below 1 up to"),
+        &tr!(
+            "The last bounce of those from the first on whose ΔE₀₀ stay below {limit}.",
+            limit = short(HARD_TO_SEE)
+        ),
         1.3,
     ));
     let stays = bounced.stays(added);
@@ -160,15 +173,17 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
             let name = way_name(way.sampling);
             let until = match below {
                 _ if *seen == 0 => "–".to_owned(),
-                0 => "none".to_owned(),
-                below if below == seen && *below == errors.len() => format!("all {below}"),
+                0 => said!("none").to_owned(),
+                below if below == seen && *below == errors.len() => {
+                    tr!("all {count}", count = below)
+                }
                 below => format!("K = {below}"),
             };
             Row {
-                name: format!("{name}: below 1 up to {until}"),
-                note: format!(
-                    "{}\nClick to form all products so.",
-                    way_meaning(way.sampling)
+                name: tr!("{way}: below 1 up to {bounce}", way = name, bounce = until),
+                note: tr!(
+                    "{meaning}\nClick to form all products so.",
+                    meaning = way_meaning(way.sampling)
                 ),
                 cells: std::iter::once(name.to_owned())
                     .chain(told)

@@ -14,9 +14,11 @@ use crate::{
         pages::TwoLightsMemory,
         products::two_lights::{NoMetamer, TwoLightsSheet, pairs_table},
         studies::{Pairs, PairsAsk, Stage},
+        ticks::short,
         verdicts::Seen,
     },
     color::{Adaptation, Swatch},
+    languages::{fixed, said},
     study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{
         kit::{
@@ -38,14 +40,14 @@ const CURVES: f32 = 190.0;
 
 /// What buttons and lists are called.
 pub mod names {
-    pub const AMONG: &str = "Pairs among";
-    pub const COPY_PAIRS: &str = "Copy the pairs as CSV";
-    pub const FOUND: &str = "Found in the library";
-    pub const MADE: &str = "Made for a surface";
-    pub const SET: &str = "Surface set";
-    pub const SURFACE: &str = "Surface";
-    pub const ROOM: &str = "Part of the room";
-    pub const KEEP: &str = "Keep as my own spectrum";
+    pub const AMONG: &str = later!("Pairs among");
+    pub const COPY_PAIRS: &str = later!("Copy the pairs as CSV");
+    pub const FOUND: &str = later!("Found in the library");
+    pub const MADE: &str = later!("Made for a surface");
+    pub const SET: &str = later!("Surface set");
+    pub const SURFACE: &str = later!("Surface");
+    pub const ROOM: &str = later!("Part of the room");
+    pub const KEEP: &str = later!("Keep as my own spectrum");
 }
 
 /// The part and what it keeps from frame to frame.
@@ -118,11 +120,13 @@ fn page(
 ) {
     let theme = context.theme;
     let lights = sheet.lights.each_ref().map(String::as_str);
-    let said = match &pair {
+    let sentence = match &pair {
         Some(pair) => headlines::metamers(lights, &pair.names, pair.delta_e_2000),
-        None => "Surfaces that look alike under one light and differ under another.".to_owned(),
+        None => {
+            said!("Surfaces that look alike under one light and differ under another.").to_owned()
+        }
     };
-    headline(ui, theme, said);
+    headline(ui, theme, sentence);
     second_light(ui, context);
     ui.add_space(4.0);
     let room = ui.available_size();
@@ -177,14 +181,24 @@ fn swatches(
                 let [left, right] = pair.swatches[i];
                 let [one, other] = &pair.names;
                 let delta = pair.delta_e_2000[i];
-                let name = format!("Under {light}: left {one}, right {other}, ΔE₀₀ {delta:.2}");
+                let name = tr!(
+                    "Under {light}: left {one}, right {other}, ΔE₀₀ {difference}",
+                    light,
+                    one,
+                    other,
+                    difference = fixed(delta, 2)
+                );
                 let drawn = swatch::split(ui, vec2(width, height), left, right, &name);
                 swatch::ticks(ui, drawn.rect, 8.0 * theme.scale);
                 drawn.on_hover_text(&name);
                 ui.horizontal(|ui| {
                     let seen = Seen::of(delta);
                     ui.colored_label(of_seen(seen, theme.dark), seen.word());
-                    let words = format!("under {light}, ΔE₀₀ {delta:.1}");
+                    let words = tr!(
+                        "under {light}, ΔE₀₀ {difference}",
+                        light,
+                        difference = fixed(delta, 1)
+                    );
                     ui.add(Label::new(words).truncate());
                 });
             });
@@ -196,17 +210,22 @@ fn swatches(
 fn modes(ui: &mut Ui, context: &mut PageContext<'_>) {
     let makes = &mut context.pages.two_lights.makes;
     ui.horizontal_wrapped(|ui| {
-        ui.selectable_value(makes, false, names::FOUND)
-            .on_hover_text("All pairs among measured surfaces that match under the light.");
-        ui.selectable_value(makes, true, names::MADE)
-            .on_hover_text("A twin of any surface: it matches under the light.");
+        ui.selectable_value(makes, false, said(names::FOUND))
+            .on_hover_text(said!(
+                "All pairs among measured surfaces that match under the light."
+            ));
+        ui.selectable_value(makes, true, said(names::MADE))
+            .on_hover_text(said!("A twin of any surface: it matches under the light."));
     });
 }
 
 fn made_pair<'a>(sheet: &'a TwoLightsSheet, shown: &'a MadeShown) -> Pair<'a> {
     let under = |i: usize| [&shown.swatches[0][i], &shown.swatches[1][i]];
     Pair {
-        names: [sheet.names[shown.made.patch].clone(), "its twin".to_owned()],
+        names: [
+            sheet.names[shown.made.patch].clone(),
+            said!("its twin").to_owned(),
+        ],
         swatches: [under(0), under(1)],
         delta_e_2000: shown.made.delta_e_2000,
         curves: &shown.chart,
@@ -247,28 +266,33 @@ fn made_controls(
     modes(ui, context);
     ui.add_space(4.0);
     let [first, second] = &sheet.lights;
-    ui.add(Label::new(RichText::new(format!(
-        "A curve that {first} shows as nothing is added to a surface: the sum looks the same under \
-         {first} and different under {second}."
-    ))).wrap());
+    ui.add(
+        Label::new(RichText::new(tr!(
+            "A curve that {first} shows as nothing is added to a surface: the sum looks the same \
+             under {first} and different under {second}.",
+            first,
+            second
+        )))
+        .wrap(),
+    );
     ui.add_space(4.0);
     let width = 150.0 * context.theme.scale;
     egui::Grid::new("a metamer made")
         .num_columns(2)
         .spacing([8.0, 8.0])
         .show(ui, |ui| {
-            ui.label("Among");
+            ui.label(said!("Among"));
             let choice = Choice {
-                name: names::SET,
-                meaning: "The surfaces that can be changed.",
+                name: said(names::SET),
+                meaning: said!("The surfaces that can be changed."),
                 width,
             };
             set_choice(ui, choice, context.app, context.commands);
             ui.end_row();
-            ui.label(names::SURFACE);
+            ui.label(said(names::SURFACE));
             let choice = Choice {
-                name: names::SURFACE,
-                meaning: "The surface that a twin is made for.",
+                name: said(names::SURFACE),
+                meaning: said!("The surface that a twin is made for."),
                 width,
             };
             let memory = &mut context.pages.two_lights;
@@ -279,14 +303,14 @@ fn made_controls(
                 }
             });
             ui.end_row();
-            ui.label("How far");
+            ui.label(said!("How far"));
             let slider = knob::slider(&TwoLightsMemory::ROOM, memory);
             let slider = ui.add_enabled(is_made, slider);
-            named(&slider, egui::Role::Slider, names::ROOM);
-            slider.on_hover_text(
-            "100 % goes on until the twin would reflect less than nothing or more than all, -100 % \
-             the other way; 0 % is the surface itself.",
-        );
+            named(&slider, egui::Role::Slider, said(names::ROOM));
+            slider.on_hover_text(said!(
+                "100 % goes on until the twin would reflect less than nothing or more than all, \
+                 -100 % the other way; 0 % is the surface itself."
+            ));
             ui.end_row();
         });
     let kept = made
@@ -294,9 +318,11 @@ fn made_controls(
         .ok()
         .filter(|shown| shown.made.room_percent != 0);
     let button = ui
-        .add_enabled(kept.is_some(), Button::new(names::KEEP))
-        .on_hover_text("Puts the made reflectance into the library and opens it.")
-        .on_disabled_hover_text("There is nothing made to keep.");
+        .add_enabled(kept.is_some(), Button::new(said(names::KEEP)))
+        .on_hover_text(said!(
+            "Puts the made reflectance into the library and opens it."
+        ))
+        .on_disabled_hover_text(said!("There is nothing made to keep."));
     if let Some(shown) = kept.filter(|_| button.clicked()) {
         let document = context.app.document();
         let recipe = Recipe::Metamer {
@@ -319,18 +345,19 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
     modes(ui, context);
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
-        ui.label("Among");
-        let meaning = "The surfaces that are compared, each with each.";
+        ui.label(said!("Among"));
+        let meaning = said!("The surfaces that are compared, each with each.");
         let everywhere = context.pages.two_lights.everywhere;
-        context.pages.two_lights.everywhere = among(ui, context, names::AMONG, meaning, everywhere);
-        copy_button(ui, names::COPY_PAIRS, "", || {
+        context.pages.two_lights.everywhere =
+            among(ui, context, said(names::AMONG), meaning, everywhere);
+        copy_button(ui, said(names::COPY_PAIRS), "", || {
             found.map_or_else(String::new, |(found, _)| {
                 pairs_table(&found.lights, &found.pairs).csv()
             })
         });
         let job = context.studies.of::<PairsAsk>();
         if job.stage() != Stage::Done {
-            progress(ui, job, "The pairs");
+            progress(ui, job, said!("The pairs"));
         }
     });
     let Some((found, rows)) = found else {
@@ -340,25 +367,32 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
     let [first, second] = &found.lights;
     let surfaces = found.pairs.surfaces.len();
     let Some(index) = found.pairs.metamers.index else {
-        let words = format!(
-            "No two of {surfaces} surfaces match under {first} (ΔE₀₀ below {MATCH_DELTA_E}) without \
-             being the same curve."
+        let words = tr!(
+            "No two of {surfaces} surfaces match under {first} (ΔE₀₀ below {limit}) without being \
+             the same curve.",
+            surfaces,
+            first,
+            limit = short(MATCH_DELTA_E)
         );
         ui.add(Label::new(words).wrap());
         return;
     };
-    let count = match pairs.len() {
-        1 => "1 pair".to_owned(),
-        many => format!("{many} pairs"),
-    };
-    let words = format!(
-        "{count} of {surfaces} surfaces match under {first} (ΔE₀₀ below {MATCH_DELTA_E}); \
-         metamerism index under {second}: {index:.2}."
+    let words = tr!(
+        "{n} pair of {surfaces} surfaces match under {first} (ΔE₀₀ below {limit}); metamerism \
+         index under {second}: {index}."
+            | "{n} pairs of {surfaces} surfaces match under {first} (ΔE₀₀ below {limit}); \
+               metamerism index under {second}: {index}."
+                % pairs.len(),
+        surfaces,
+        first,
+        limit = short(MATCH_DELTA_E),
+        second,
+        index = fixed(index, 2)
     );
-    ui.add(Label::new(words).wrap()).on_hover_text(
+    ui.add(Label::new(words).wrap()).on_hover_text(said!(
         "Metamerism index: mean CIEDE2000 under the second light of all pairs that match under the \
-         first. Two curves closer than 0.01 (root mean square) are one surface and no pair.",
-    );
+         first. Two curves closer than 0.01 (root mean square) are one surface and no pair."
+    ));
     let columns = columns(&found.lights);
     let table = Table {
         chosen: Some(found.chosen),
@@ -385,22 +419,28 @@ fn rows(pairs: &Pairs) -> Vec<Row> {
         let [one, other] = found.pair.map(|i| &pairs.surfaces[i]);
         let [first, second] = found.delta_e_2000;
         Row {
-            name: format!(
-                "Pair: {} and {}, {first:.2} under the first light, {second:.2} under the second",
-                one.words(),
-                other.words()
+            name: tr!(
+                "Pair: {one} and {other}, {first} under the first light, {second} under the second",
+                one = one.words(),
+                other = other.words(),
+                first = fixed(first, 2),
+                second = fixed(second, 2)
             ),
-            note: format!(
-                "{} and {}\nΔE₀₀ {first:.3} under the first light, {second:.3} under the second; \
-                 the curves differ by {:.3} (root mean square).\nClick to see both.",
-                one.key, other.key, found.rms
+            note: tr!(
+                "{one} and {other}\nΔE₀₀ {first} under the first light, {second} under the second; \
+                 the curves differ by {difference} (root mean square).\nClick to see both.",
+                one = one.key,
+                other = other.key,
+                first = fixed(first, 3),
+                second = fixed(second, 3),
+                difference = fixed(found.rms, 3)
             ),
             cells: vec![
                 format!("{} · {}", one.words(), other.words()),
                 String::new(),
-                format!("{first:.2}"),
+                fixed(first, 2),
                 String::new(),
-                format!("{second:.2}"),
+                fixed(second, 2),
             ],
             ..Row::default()
         }
@@ -409,14 +449,18 @@ fn rows(pairs: &Pairs) -> Vec<Row> {
 }
 
 fn columns([first, second]: &[String; 2]) -> [Column; 5] {
-    let under = |light: &str| format!("The pair side by side under {light}.");
-    let differ =
-        |light: &str| format!("CIEDE2000 under {light}; the pairs that part most stand first.");
+    let under = |light: &str| tr!("The pair side by side under {light}.", light);
+    let differ = |light: &str| {
+        tr!(
+            "CIEDE2000 under {light}; the pairs that part most stand first.",
+            light
+        )
+    };
     [
-        Column::words("surfaces", "Click a row to see both.", 0.50),
-        Column::words("1st light", &under(first), 0.14),
+        Column::words(said!("surfaces"), said!("Click a row to see both."), 0.50),
+        Column::words(said!("1st light"), &under(first), 0.14),
         Column::words("ΔE₀₀", &differ(first), 0.11),
-        Column::words("2nd light", &under(second), 0.14),
+        Column::words(said!("2nd light"), &under(second), 0.14),
         Column::words("ΔE₀₀", &differ(second), 0.11),
     ]
 }

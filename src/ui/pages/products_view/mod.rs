@@ -13,6 +13,7 @@ use eframe::egui::Ui;
 use super::PageContext;
 use crate::{
     app::{Command, answers::set_title, products::Products, studies::shipped_reflectances},
+    languages::said,
     spectrum::Sampling,
     ui::kit::{Choice, Chooser, factors, lights},
 };
@@ -37,9 +38,11 @@ fn surface_chooser(ui: &mut Ui, context: &mut PageContext<'_>, name: &'static st
     ui.label(name);
     let chooser = Chooser {
         name,
-        meaning: "The filter, glass or surface that the light is multiplied by; the parts \
-                  Resampling, Bounces and Same surface? share it.",
-        says: surface.map_or("none chosen", |entry| entry.name()),
+        meaning: said!(
+            "The filter, glass or surface that the light is multiplied by; the parts Resampling, \
+             Bounces and Same surface? share it."
+        ),
+        says: surface.map_or(said!("none chosen"), |entry| entry.name()),
         offers: factors,
         width: 220.0 * context.theme.scale,
     };
@@ -56,16 +59,16 @@ fn second_light(ui: &mut Ui, context: &mut PageContext<'_>) {
         return;
     }
     ui.horizontal_wrapped(|ui| {
-        ui.label("No second light is chosen:");
+        ui.label(said!("No second light is chosen:"));
         let chosen = Chooser {
-            name: SECOND,
-            meaning: "The light that surfaces are compared under, on every page.",
+            name: said(SECOND),
+            meaning: said!("The light that surfaces are compared under, on every page."),
             says: document.light_beside().name(),
             offers: lights,
             width: 150.0 * context.theme.scale,
         }
         .show(ui, context.app);
-        ui.label("stands in for it.");
+        ui.label(said!("stands in for it."));
         if chosen.is_some() {
             context.commands.push(Command::Compare(chosen));
         }
@@ -73,7 +76,7 @@ fn second_light(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// What the list of second lights is called.
-pub const SECOND: &str = "Second light";
+pub const SECOND: &str = later!("Second light");
 
 /// Where surfaces are looked for, the patch set or everything shipped; whether it is everything.
 pub(super) fn among(
@@ -84,7 +87,10 @@ pub(super) fn among(
     mut everywhere: bool,
 ) -> bool {
     let set = set_title(&context.app.document().patch_set);
-    let all = format!("all {} shipped reflectances", shipped_reflectances());
+    let all = tr!(
+        "all {count} shipped reflectances",
+        count = shipped_reflectances()
+    );
     let choice = Choice {
         name,
         meaning,

@@ -7,6 +7,7 @@ use egui::{RichText, Ui, Vec2, vec2};
 use super::second_light;
 use crate::{
     app::{Lit, Memo, headlines, verdicts::Seen},
+    languages::{fixed, said},
     ui::{
         kit::{Choice, adapt_box, bounded, copy_button, headline, scrolled},
         lit_field::{self, Field},
@@ -17,8 +18,8 @@ use crate::{
 
 /// What buttons and lists are called.
 pub mod names {
-    pub const SET: &str = "Surface set";
-    pub const COPY: &str = "Copy the surfaces as CSV";
+    pub const SET: &str = later!("Surface set");
+    pub const COPY: &str = later!("Copy the surfaces as CSV");
 }
 
 /// Widest a surface stands, and the least, points.
@@ -48,19 +49,24 @@ impl TwoLightsView {
         second_light(ui, context);
         ui.horizontal_wrapped(|ui| {
             let choice = Choice {
-                name: names::SET,
-                meaning: "The surfaces that are seen under both lights.",
+                name: said(names::SET),
+                meaning: said!("The surfaces that are seen under both lights."),
                 width: 128.0 * theme.scale,
             };
             set_choice(ui, choice, app, context.commands);
-            let meaning = "Shows each half as an eye used to its light sees it (Bradford). It \
-                           changes the colours on screen, not the figures.";
-            adapt_box(ui, app, ("Adapt", meaning), context.commands);
+            let meaning = said!(
+                "Shows each half as an eye used to its light sees it (Bradford). It changes the \
+                 colours on screen, not the figures."
+            );
+            adapt_box(ui, app, (said!("Adapt"), meaning), context.commands);
             let shown = lit.as_deref().unwrap_or_default();
-            copy_button(ui, names::COPY, "", || Lit::csv(lights, shown));
+            copy_button(ui, said(names::COPY), "", || Lit::csv(lights, shown));
             let [first, second] = lights;
-            let words =
-                format!("left {first}, right {second}; below the change ΔE₀₀, the largest first");
+            let words = tr!(
+                "left {first}, right {second}; below the change ΔE₀₀, the largest first",
+                first,
+                second
+            );
             ui.label(RichText::new(words).small().color(theme.faint));
         });
         ui.add_space(4.0);
@@ -99,7 +105,14 @@ fn field<'a>(lit: &'a Lit, [first, second]: [&str; 2]) -> Field<'a> {
     let seen = Seen::of(*delta_e_2000).seen();
     Field {
         lit: vec![lit],
-        said: format!("{name}: from {first} to {second} ΔE₀₀ {delta_e_2000:.1}, {seen}"),
+        said: tr!(
+            "{name}: from {first} to {second} ΔE₀₀ {difference}, {seen}",
+            name,
+            first,
+            second,
+            difference = fixed(delta_e_2000, 1),
+            seen
+        ),
         lights_up: false,
         source: "",
     }

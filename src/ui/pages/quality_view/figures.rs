@@ -11,6 +11,7 @@ use crate::{
         CLIENTS_TABLES, GROUPS, IN_GROUP, QualityShown, Tile, Told, chart::Ink,
         quality_report::Row, verdicts::Seen,
     },
+    languages::said,
     ui::{
         kit::{Column, Row as TableRow, bounded, cut_words, drawing, headline, scrolled, table},
         lit_field::{self, Field, from_references},
@@ -31,7 +32,7 @@ const HIGH: f32 = 760.0;
 const BAR: f32 = 8.0;
 
 /// What the fold over all figures is called.
-pub(super) const ALL: &str = "All figures";
+pub(super) const ALL: &str = later!("All figures");
 
 /// Draws the page.
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, shown: &QualityShown) {
@@ -50,7 +51,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, shown: &QualitySh
         }
         groups(ui, theme, shown);
         ui.add_space(12.0);
-        let words = RichText::new(format!("{ALL} ({})", shown.rows.len())).strong();
+        let words = RichText::new(format!("{} ({})", said(ALL), shown.rows.len())).strong();
         CollapsingHeader::new(words)
             .id_salt(ALL)
             .default_open(room.y >= HIGH * theme.scale)
@@ -135,7 +136,7 @@ fn groups(ui: &mut Ui, theme: Theme, shown: &QualityShown) {
             for (title, tiles) in row {
                 ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Min), |ui| {
                     ui.set_width(width);
-                    ui.label(RichText::new(**title).strong());
+                    ui.label(RichText::new(said(title)).strong());
                     ui.add_space(2.0);
                     for tile in *tiles {
                         self::tile(ui, theme, tile, shown);
@@ -161,7 +162,7 @@ fn tile(ui: &mut Ui, theme: Theme, tile: &Tile, shown: &QualityShown) {
         ui.available_width(),
         small + 2.0 + rows * line + words + 10.0,
     );
-    let (rect, response) = drawing(ui, size, Sense::hover(), &said(tile, shown));
+    let (rect, response) = drawing(ui, size, Sense::hover(), &read_out(tile, shown));
     if ui.is_rect_visible(rect) {
         let rule = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().hline(rect.x_range(), rect.top(), rule);
@@ -247,7 +248,7 @@ fn side(ui: &Ui, theme: Theme, (tile, told, place): (&Tile, &Told, usize), row: 
         let small = TextStyle::Small.resolve(ui.style());
         let at = pos2(row.right(), row.center().y);
         let good = of_seen(Seen::Hardly, theme.dark);
-        painter.text(at, egui::Align2::RIGHT_CENTER, "better", small, good);
+        painter.text(at, egui::Align2::RIGHT_CENTER, said!("better"), small, good);
     }
 }
 
@@ -275,21 +276,20 @@ fn bar(ui: &Ui, theme: Theme, (tile, told): (&Tile, &Told), rect: Rect, fill: Co
 }
 
 /// A figure read out.
-fn said(tile: &Tile, shown: &QualityShown) -> String {
+fn read_out(tile: &Tile, shown: &QualityShown) -> String {
     let each = tile.sides.iter().zip(&shown.sides);
     let each = each.enumerate().map(|(i, (told, side))| {
-        let better = if tile.better == Some(i) {
-            ", better"
-        } else {
-            ""
-        };
-        format!(
-            "{} {} {}, {}{better}",
+        let words = format!(
+            "{} {} {}, {}",
             side.name,
             told.told(),
             tile.figure,
             told.word
-        )
+        );
+        match tile.better == Some(i) {
+            true => tr!("{words}, better", words),
+            false => words,
+        }
     });
     let each: Vec<String> = each.collect();
     format!("{}: {}", tile.title, each.join("; "))
@@ -297,21 +297,25 @@ fn said(tile: &Tile, shown: &QualityShown) -> String {
 
 /// Every figure in a table.
 fn all_figures(ui: &mut Ui, theme: Theme, shown: &QualityShown) {
-    let first = "Point at a row for the standard that it follows.";
-    let whole = "Of the whole table as it was measured.";
+    let first = said!("Point at a row for the standard that it follows.");
+    let whole = said!("Of the whole table as it was measured.");
     let [one, other, meaning] = match (&shown.sides[..], shown.second()) {
         ([first, ..], Some(second)) => [first.name.as_str(), second, whole],
         _ => [
-            "measured",
-            "model",
-            "Of the smooth part and the lines together.",
+            said!("measured"),
+            said!("model"),
+            said!("Of the smooth part and the lines together."),
         ],
     };
     let columns = [
-        Column::words("figure", first, 2.2),
+        Column::words(said!("figure"), first, 2.2),
         Column::numbers(one, whole, 1.2),
         Column::numbers(other, meaning, 1.2),
-        Column::words("what it says", "Of the first light as measured.", 4.0),
+        Column::words(
+            said!("what it says"),
+            said!("Of the first light as measured."),
+            4.0,
+        ),
     ];
     let rows: Vec<TableRow> = shown.rows.iter().map(figure_row).collect();
     table(ui, &columns, &rows, None, false, theme);

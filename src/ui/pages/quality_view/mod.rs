@@ -61,34 +61,36 @@ impl QualityView {
             switch(
                 &mut shows.uniform,
                 "u′v′",
-                "CIE 1976 u′v′, in which equal steps look more alike; else CIE 1931 x, y.",
+                said!("CIE 1976 u′v′, in which equal steps look more alike; else CIE 1931 x, y."),
             );
             switch(
                 &mut shows.whites,
-                "Whites sold",
-                "The quadrangles of ANSI C78.377 that lamps are sold by.",
+                said!("Whites sold"),
+                said!("The quadrangles of ANSI C78.377 that lamps are sold by."),
             );
             switch(
                 &mut shows.gamuts,
-                "Screens",
-                "The colours that screens of sRGB, P3 and Rec. 2020 show.",
+                said!("Screens"),
+                said!("The colours that screens of sRGB, P3 and Rec. 2020 show."),
             );
             switch(
                 &mut shows.ellipses,
-                "Ellipses",
-                "MacAdam's ellipses: how one observer's matches of a colour scattered, ten times \
-                 enlarged.",
+                said!("Ellipses"),
+                said!(
+                    "MacAdam's ellipses: how one observer's matches of a colour scattered, ten \
+                     times enlarged."
+                ),
             );
             switch(
                 &mut shows.surfaces,
-                "Surfaces",
-                "The eight test colours of Ra under the light: how far its colours reach.",
+                said!("Surfaces"),
+                said!("The eight test colours of Ra under the light: how far its colours reach."),
             );
             if !has_both {
                 switch(
                     &mut shows.near,
-                    "Near the light",
-                    "The neighbourhood of the light; of two lights that of both.",
+                    said!("Near the light"),
+                    said!("The neighbourhood of the light; of two lights that of both."),
                 );
             }
         });
@@ -132,7 +134,7 @@ impl QualityView {
             let ask = ByOrder::of(app);
             move |progress: &Progress| ask.answer(progress)
         });
-        progress(ui, job, "Quality against waves");
+        progress(ui, job, said!("Quality against waves"));
         let Some(found) = job.result().cloned() else {
             return;
         };

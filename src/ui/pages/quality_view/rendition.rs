@@ -14,6 +14,7 @@ use crate::{
         verdicts,
     },
     color::quality::HUE_NAMES,
+    languages::{fixed, said},
     ui::{
         chart_view::paint,
         kit::{Choice, adapt_box, bounded, down, headline, line, named_choice, rolled},
@@ -116,7 +117,7 @@ impl RenditionView {
         line(ui, |ui| {
             let words = match pointed {
                 Some(hue) => of_hue(shown, hue),
-                None => "Point at a hue: its surfaces light up.".to_owned(),
+                None => said!("Point at a hue: its surfaces light up.").to_owned(),
             };
             ui.add(Label::new(RichText::new(words).color(context.theme.faint)).truncate());
         });
@@ -133,14 +134,16 @@ impl RenditionView {
         let (board, theme) = (&shown.board, context.theme);
         ui.horizontal_wrapped(|ui| {
             let choice = Choice {
-                name: "Surface set",
-                meaning: "The surfaces that the light falls on.",
+                name: said!("Surface set"),
+                meaning: said!("The surfaces that the light falls on."),
                 width: 128.0 * theme.scale,
             };
             set_choice(ui, choice, context.app, context.commands);
-            let meaning = "Shows each half as an eye used to its light sees it (Bradford). It \
-                           changes the colours on screen, not the figures.";
-            adapt_box(ui, context.app, ("Adapt", meaning), context.commands);
+            let meaning = said!(
+                "Shows each half as an eye used to its light sees it (Bradford). It changes the \
+                 colours on screen, not the figures."
+            );
+            adapt_box(ui, context.app, (said!("Adapt"), meaning), context.commands);
         });
         let names = shown.sides.iter().map(|side| side.name.as_str());
         let lights = lit_field::referenced(board, names);
@@ -260,13 +263,18 @@ fn in_small(chart: Chart) -> Chart {
 
 /// What each light does to a hue.
 fn of_hue(shown: &QualityShown, hue: usize) -> String {
-    let name = HUE_NAMES[hue];
+    let name = said(HUE_NAMES[hue]);
     let each = shown.fidelities().into_iter().map(|(light, fidelity)| {
         fidelity.bins[hue].as_ref().map_or_else(
-            || format!("no sample under {light}"),
+            || tr!("no sample under {light}", light),
             |bin| {
                 let how = verdicts::of_shift(bin.rcs, bin.rhs);
-                format!("{how} under {light} (Rf {:.0})", bin.rf)
+                tr!(
+                    "{change} under {light} (Rf {figure})",
+                    change = how,
+                    light,
+                    figure = fixed(bin.rf, 0)
+                )
             },
         )
     });

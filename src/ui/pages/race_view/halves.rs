@@ -7,7 +7,7 @@ use super::WIDE;
 use crate::{app::charts::race::Half, ui::theme::section};
 
 pub(super) fn show(ui: &mut Ui, halves: &[Half]) {
-    section(ui, "Wins and losses of waves and lines");
+    section(ui, said!("Wins and losses of waves and lines"));
     if ui.available_width() >= WIDE && !halves.is_empty() {
         ui.columns(halves.len(), |columns| {
             for (ui, half) in columns.iter_mut().zip(halves) {

@@ -22,6 +22,7 @@ use crate::{
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
+    languages::said,
     spectrum::Kind,
     study::{Measure, Race, race::Racer},
     ui::{
@@ -33,9 +34,10 @@ use crate::{
 
 /// What people and tests call the folds.
 mod names {
-    pub(super) const TABLE: &str = "Every figure at this count";
-    pub(super) const WAYS: &str = "How far known lamps and lines of their own width are ahead";
-    pub(super) const NUMBERS: &str = "Errors against numbers, and who wins";
+    pub(super) const TABLE: &str = later!("Every figure at this count");
+    pub(super) const WAYS: &str =
+        later!("How far known lamps and lines of their own width are ahead");
+    pub(super) const NUMBERS: &str = later!("Errors against numbers, and who wins");
 }
 
 /// Height of the folds while they are shut, points.
@@ -94,9 +96,9 @@ impl RaceView {
         let nobody = field == FieldChoice::Own && !has_own_lights(context);
         if nobody {
             self.controls(ui, context);
-            ui.weak(
-                "There are no lights of your own: open or drop a file, or choose other lights.",
-            );
+            ui.weak(said!(
+                "There are no lights of your own: open or drop a file, or choose other lights."
+            ));
             return;
         }
         let ask = RaceAsk {
@@ -105,11 +107,11 @@ impl RaceView {
         };
         if let Some(why) = ask.why_not() {
             self.controls(ui, context);
-            ui.weak(format!("The race is not run: {why}."));
+            ui.weak(tr!("The race is not run: {reason}.", reason = why));
             return;
         }
         let race = context.put(&ask);
-        progress(ui, race, "The race");
+        progress(ui, race, said!("The race"));
         let is_impossible = race.stage() == Stage::Impossible;
         let answer = race.answer();
         let answer = answer.map(|(ask, race)| (ask.clone(), race.clone()));
@@ -126,14 +128,22 @@ impl RaceView {
         let light = context.app.document().light.name().to_owned();
         let about_light = context.app.document().is_about_light();
         ui.horizontal_wrapped(|ui| {
-            ui.label("Lights");
+            ui.label(said!("Lights"));
             let meaning = if about_light {
-                format!("{light} alone, or many lights together with their spread.")
+                tr!(
+                    "{light} alone, or many lights together with their spread.",
+                    light
+                )
             } else {
-                format!("Only lights race; of this document it is {light}.")
+                tr!("Only lights race; of this document it is {light}.", light)
             };
             let mut field = context.pages.race.field;
-            field_choice(ui, context, ("Lights that race", &meaning), &mut field);
+            field_choice(
+                ui,
+                context,
+                (said!("Lights that race"), &meaning),
+                &mut field,
+            );
             context.pages.race.field = field;
             if let Some((_, race)) = context.studies.of::<RaceAsk>().answer() {
                 self.class_menu(ui, race);
@@ -141,22 +151,26 @@ impl RaceView {
         });
         let memory = &mut context.pages.race;
         ui.horizontal_wrapped(|ui| {
-            ui.label("Numbers");
+            ui.label(said!("Numbers"));
             for budget in RACE_BUDGETS {
                 let chosen = &mut memory.numbers;
                 let button = ui
                     .selectable_value(chosen, budget, budget.to_string())
-                    .on_hover_text(
+                    .on_hover_text(said!(
                         "Numbers that each may spend on a light: a line costs two, anything else \
-                         one.",
-                    );
-                named(&button, egui::Role::Button, &format!("{budget} numbers"));
+                         one."
+                    ));
+                named(
+                    &button,
+                    egui::Role::Button,
+                    &tr!("{n} number" | "{n} numbers" % budget),
+                );
             }
             ui.separator();
-            ui.label("By");
+            ui.label(said!("By"));
             let choice = Choice {
-                name: "Deciding figure",
-                meaning: "The figure that the chart shows and that decides who wins.",
+                name: said!("Deciding figure"),
+                meaning: said!("The figure that the chart shows and that decides who wins."),
                 width: 140.0,
             };
             let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
@@ -164,8 +178,9 @@ impl RaceView {
             choice.pick(ui, &mut memory.measure, all, title_and_meaning);
         });
         if !about_light && context.pages.race.field == FieldChoice::ThisLight {
-            ui.weak(format!(
-                "Only lights race: this is {light}, the light in force."
+            ui.weak(tr!(
+                "Only lights race: this is {light}, the light in force.",
+                light
             ));
         }
     }
@@ -179,15 +194,15 @@ impl RaceView {
             return;
         }
         ui.separator();
-        ui.label("Class");
-        let all = || "all".to_owned();
+        ui.label(said!("Class"));
+        let all = || said!("all").to_owned();
         let choice = Choice {
-            name: "Class of lights",
-            meaning: "Lights whose medians table and chart show.",
+            name: said!("Class of lights"),
+            meaning: said!("Lights whose medians table and chart show."),
             width: 90.0,
         };
         choice.show(ui, self.class.clone().unwrap_or_else(all), |ui| {
-            ui.selectable_value(&mut self.class, None, "all");
+            ui.selectable_value(&mut self.class, None, said!("all"));
             for class in classes {
                 let count = race.of_class(Some(class)).count();
                 let chosen = Some(class.to_owned());
@@ -228,14 +243,14 @@ impl RaceView {
         rolled(ui, |ui| {
             let size = vec2(ui.available_width(), room.max(240.0 * theme.scale));
             context.chart(ui, &drawn.strip, "race strip", size);
-            fold(ui, "race table", names::TABLE, |ui| {
+            fold(ui, "race table", said(names::TABLE), |ui| {
                 table_head(ui, context, ask, race, class, budget);
                 drawn.table.show(ui, theme, costs);
             });
-            fold(ui, "race ways", names::WAYS, |ui| {
+            fold(ui, "race ways", said(names::WAYS), |ui| {
                 ways.show(ui, context, (ask, race), (class, budget));
             });
-            fold(ui, "race numbers", names::NUMBERS, |ui| {
+            fold(ui, "race numbers", said(names::NUMBERS), |ui| {
                 let height = (360.0 * theme.scale).max(240.0);
                 let wide = ui.available_width() >= WIDE;
                 let width = ui.available_width();
@@ -285,7 +300,7 @@ pub(super) fn field_choice(
             let item = egui::Button::selectable(*field == choice, choice.title());
             let response = ui
                 .add_enabled(can, item)
-                .on_disabled_hover_text("There are none: open or drop a file with a light.");
+                .on_disabled_hover_text(said!("There are none: open or drop a file with a light."));
             if response.clicked() {
                 *field = choice;
             }
@@ -317,15 +332,29 @@ fn table_head(
             let lamp = race.of_class(class).next().unwrap_or(0);
             race.lamps[lamp].0.clone()
         }
-        (count, Some(class)) => format!("{count} {class} lights"),
-        (count, None) => format!("{count} lights"),
+        (count, Some(class)) => tr!("{n} {class} light" | "{n} {class} lights" % count, class),
+        (count, None) => tr!("{n} light" | "{n} lights" % count),
     };
     ui.horizontal_wrapped(|ui| {
-        section(ui, &format!("{who}, {} numbers each", race.budgets[budget]));
-        ui.weak("★ least error of a column");
+        section(
+            ui,
+            &tr!(
+                "{lights}, {n} number each" | "{lights}, {n} numbers each" % race.budgets[budget],
+                lights = who
+            ),
+        );
+        ui.weak(said!("★ least error of a column"));
         for (words, form, tip) in [
-            ("Copy CSV", ChartForm::CopyCsv, "Copies this table."),
-            ("Save CSV…", ChartForm::Csv, "Saves this table as a file."),
+            (
+                said!("Copy CSV"),
+                ChartForm::CopyCsv,
+                said!("Copies this table."),
+            ),
+            (
+                said!("Save CSV…"),
+                ChartForm::Csv,
+                said!("Saves this table as a file."),
+            ),
         ] {
             if ui.small_button(words).on_hover_text(tip).clicked() {
                 let table = table_chart(ask, race, class, budget);
@@ -337,7 +366,9 @@ fn table_head(
 
 fn chart(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Chart, size: egui::Vec2) {
     if chart.series.is_empty() {
-        ui.weak("This figure does not exist in this range: there is no visible light in it.");
+        ui.weak(said!(
+            "This figure does not exist in this range: there is no visible light in it."
+        ));
         return;
     }
     let response = ChartView::show(ui, chart, "race errors", size, context.theme);

@@ -6,6 +6,7 @@ use egui::{RichText, Ui};
 use super::{scaled, sideways, solid_bars, starred, winner_bar, with_bar};
 use crate::{
     app::charts::race::{RaceColumn, RaceTable, about, group, name},
+    languages::said,
     study::race::Racer,
     ui::{
         kit::{Column, Look, Row, Table},
@@ -15,8 +16,8 @@ use crate::{
 
 /// Names of controls, shared with the tests that move them.
 pub(super) mod names {
-    pub(crate) const ERRORS: &str = "Errors";
-    pub(crate) const COSTS: &str = "Numbers, time and bytes";
+    pub(crate) const ERRORS: &str = later!("Errors");
+    pub(crate) const COSTS: &str = later!("Numbers, time and bytes");
 }
 
 /// Width of the names, points.
@@ -77,7 +78,7 @@ impl TableRows {
             Line::Racer(_, racer) => Row {
                 name: name(racer).to_owned(),
                 cells: vec![match racer.needs_table() {
-                    true => format!("{} + table", name(racer)),
+                    true => tr!("{model} + table", model = name(racer)),
                     false => name(racer).to_owned(),
                 }],
                 note: about(racer),
@@ -107,8 +108,8 @@ impl TableRows {
         let fits = scaled(all.width(), theme) <= room;
         if !fits {
             ui.horizontal(|ui| {
-                ui.selectable_value(costs, false, names::ERRORS);
-                ui.selectable_value(costs, true, names::COSTS);
+                ui.selectable_value(costs, false, said(names::ERRORS));
+                ui.selectable_value(costs, true, said(names::COSTS));
             });
         }
         let part = match (fits, *costs) {
@@ -141,10 +142,10 @@ impl TableRows {
         });
         if self.many {
             ui.weak(
-                RichText::new(
-                    "Each: median over the lights and, after the stroke, the 95th percentile; \
-                     the worst light on hover.",
-                )
+                RichText::new(said!(
+                    "Each: median over the lights and, after the stroke, the 95th percentile; the \
+                     worst light on hover."
+                ))
                 .small(),
             );
         }

@@ -47,14 +47,18 @@ impl WaysView {
         };
         ui.add(egui::Label::new(&ways.sentence).wrap());
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut context.pages.race.strict, "count strictly")
-                .on_hover_text(
+            ui.checkbox(&mut context.pages.race.strict, said!("count strictly"))
+                .on_hover_text(said!(
                     "Counts which lamp it is, and how wide a line is, as numbers of their own: a \
-                     line takes three numbers, a known lamp two.",
-                );
+                     line takes three numbers, a known lamp two."
+                ));
         });
         let at = race.budgets[budget];
-        ui.weak(format!("At {at} numbers. ★ least error. {}", ways.how));
+        ui.weak(tr!(
+            "At {n} number. ★ least error. {remark}"
+                | "At {n} numbers. ★ least error. {remark}" % at,
+            remark = ways.how
+        ));
         ui.add_space(2.0);
         let key = (ByAddress(race.clone()), class.map(str::to_owned), budget);
         let rows = &*self.rows.get(key, |_| {
@@ -83,22 +87,27 @@ fn columns() -> [Column; 6] {
     [
         Column::words("", "", NAMES),
         number(
-            "surfaces, ΔE₀₀",
-            "Mean of the 99 samples of TM-30, light and reflectances in as many numbers: median / \
-             95th percentile where many lights race.",
+            said!("surfaces, ΔE₀₀"),
+            said!(
+                "Mean of the 99 samples of TM-30, light and reflectances in as many numbers: \
+                 median / 95th percentile where many lights race."
+            ),
         ),
         number(
-            "filters, ΔE₀₀",
-            "Mean behind filters 10 nm wide at 425, 435 ... 675 nm.",
-        ),
-        number("spectrum, %", "Root mean square behind a blur of 10 nm."),
-        number(
-            "lamps ahead in",
-            "In how many of the cells known lamps with wide lines have the smaller error.",
+            said!("filters, ΔE₀₀"),
+            said!("Mean behind filters 10 nm wide at 425, 435 ... 675 nm."),
         ),
         number(
-            "wide lines in",
-            "In how many of the cells wide lines alone have the smaller error.",
+            said!("spectrum, %"),
+            said!("Root mean square behind a blur of 10 nm."),
+        ),
+        number(
+            said!("lamps ahead in"),
+            said!("In how many of the cells known lamps with wide lines have the smaller error."),
+        ),
+        number(
+            said!("wide lines in"),
+            said!("In how many of the cells wide lines alone have the smaller error."),
         ),
     ]
 }

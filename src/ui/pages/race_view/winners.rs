@@ -52,8 +52,8 @@ impl WinnerRows {
             false => String::new(),
         };
         let lamps = winners.lamps.iter().enumerate().map(|(i, lamp)| Row {
-            name: format!("Show {} ({})", lamp.name, i + 1),
-            note: format!("{}: click to make it the light.", lamp.name),
+            name: tr!("Show {lamp} ({number})", lamp = lamp.name, number = i + 1),
+            note: tr!("{lamp}: click to make it the light.", lamp = lamp.name),
             cells: vec![
                 lamp.name.clone(),
                 class(lamp),
@@ -81,7 +81,8 @@ impl WinnerRows {
         ui.add_space(4.0);
         section(
             ui,
-            &format!("Winner per light, {} numbers", self.winners.numbers),
+            &tr!("Winner per light, {n} number"
+                | "Winner per light, {n} numbers" % self.winners.numbers),
         );
         let left = (height - (ui.cursor().top() - top)).max(140.0 * theme.scale);
         let has_classes = self.winners.sets.len() > 1;
@@ -127,12 +128,18 @@ impl WinnerRows {
         let winners = &self.winners;
         section(
             ui,
-            &format!("Least {}, by numbers", winners.measure.figure().title),
+            &tr!(
+                "Least {figure}, by numbers",
+                figure = winners.measure.figure().title
+            ),
         );
-        let budgets = winners
-            .budgets
-            .iter()
-            .map(|numbers| with_bar(&numbers.to_string(), "Numbers that each may spend.", WINNER));
+        let budgets = winners.budgets.iter().map(|numbers| {
+            with_bar(
+                &numbers.to_string(),
+                said!("Numbers that each may spend."),
+                WINNER,
+            )
+        });
         let columns: Vec<Column> = std::iter::once(Column::words("", "", CLASSES))
             .chain(budgets)
             .collect();
@@ -152,8 +159,8 @@ impl WinnerRows {
 
 fn lights(count: usize) -> String {
     match count {
-        1 => "One light.".to_owned(),
-        n => format!("{n} lights; the least median wins."),
+        1 => said!("One light.").to_owned(),
+        n => tr!("{n} light; the least median wins." | "{n} lights; the least median wins." % n),
     }
 }
 
@@ -163,7 +170,11 @@ fn short(won: &Won) -> String {
 
 fn tip(won: &Won) -> String {
     match won.racer {
-        Some(racer) => format!("{}\nError {}.", about(racer), won.error),
-        None => "This figure does not exist here: there is no visible light.".to_owned(),
+        Some(racer) => tr!(
+            "{meaning}\nError {error}.",
+            meaning = about(racer),
+            error = won.error
+        ),
+        None => said!("This figure does not exist here: there is no visible light.").to_owned(),
     }
 }

@@ -10,6 +10,7 @@ use crate::{
     app::{
         chart::ramp_colour,
         relit::{NAMED, place_of},
+        ticks::short,
     },
     ui::{
         kit::{hold_arrows, named},
@@ -203,8 +204,8 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
         let x = bar.left() + bar.width() * place_of(off) as f32;
         let words = match i {
             0 => "ΔE₀₀ 0".to_owned(),
-            _ if i == last => format!("{off} and more"),
-            _ => off.to_string(),
+            _ if i == last => tr!("{difference} and more", difference = short(off)),
+            _ => short(off),
         };
         let align = match i {
             0 => Align2::LEFT_TOP,
@@ -215,8 +216,8 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
         ui.painter()
             .text(at, align, words, font.clone(), theme.faint);
     }
-    response.on_hover_text(
+    response.on_hover_text(said!(
         "A difference below 1 is hard to see, from 1 to 2 it is seen side by side, from 2 on if \
-         you look for it.",
-    );
+         you look for it."
+    ));
 }

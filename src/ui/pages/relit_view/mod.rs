@@ -21,6 +21,7 @@ use crate::{
         },
         studies::Stage,
     },
+    languages::{fixed, said},
     pictures::{FixedSettings, Verdict},
     ui::{kit, swatch},
 };
@@ -61,7 +62,7 @@ impl RelitView {
         let wish = &mut context.pages.relit.wish;
         if shown.trouble.is_some()
             && *wish != FixedSettings::default()
-            && ui.button(names::LEAVE).clicked()
+            && ui.button(said(names::LEAVE)).clicked()
         {
             *wish = FixedSettings::default();
         }
@@ -132,7 +133,7 @@ impl RelitView {
                 headline(&fit.0, &turned.0, stored)
             }
             (None, None) => {
-                "A spectral picture in few numbers a pixel, under any light.".to_owned()
+                said!("A spectral picture in few numbers a pixel, under any light.").to_owned()
             }
         };
         kit::headline(ui, context.theme, words);
@@ -191,9 +192,12 @@ impl RelitView {
         let size = vec2(room.x, (room.y - self.below(ui, context)).max(60.0));
         let [bands, numbers] =
             [looked.bands().len(), fit.operator.numbers()].map(crate::io::many::numbers);
-        let name = format!(
-            "{} under {}, {bands} a pixel left, {numbers} right",
-            looked.name, turned.light
+        let name = tr!(
+            "{picture} under {light}, {bands} a pixel left, {numbers} right",
+            picture = looked.name,
+            light = turned.light,
+            bands,
+            numbers
         );
         let pixel = self.chosen(context, looked, turned);
         let drawn = canvas::Drawn {
@@ -201,8 +205,8 @@ impl RelitView {
             pixels: looked.size(),
             textures: if is_map { &one } else { &both },
             labels: [
-                &format!("every band: {bands}"),
-                &format!("{numbers} a pixel"),
+                &tr!("every band: {bands}", bands),
+                &tr!("{numbers} a pixel", numbers),
             ],
             marked: Some(pixel),
         };
@@ -249,20 +253,31 @@ impl RelitView {
         let pointed = self.pointed.filter(|[x, y]| *x < width && *y < height);
         let [x, y] = pointed.unwrap_or(marked);
         let off = turned.off[y * width + x];
-        let which = if pointed.is_some() {
-            "Here"
-        } else {
-            "In the ring"
-        };
         let step = looked.step;
         let off = if off.is_finite() {
-            format!("ΔE₀₀ {off:.2}")
+            format!("ΔE₀₀ {}", fixed(f64::from(off), 2))
         } else {
-            "not measured".to_owned()
+            said!("not measured").to_owned()
         };
-        let mut words = format!("{which} (column {}, row {}): {off}.", x * step, y * step);
+        let mut words = match pointed.is_some() {
+            true => tr!(
+                "Here (column {column}, row {row}): {difference}.",
+                column = x * step,
+                row = y * step,
+                difference = off
+            ),
+            false => tr!(
+                "In the ring (column {column}, row {row}): {difference}.",
+                column = x * step,
+                row = y * step,
+                difference = off
+            ),
+        };
         if step > 1 {
-            words += &format!(" Drawn and measured: one pixel in {step}, across and down.");
+            words += &tr!(
+                " Drawn and measured: one pixel in {count}, across and down.",
+                count = step
+            );
         }
         for said in &looked.said {
             words += &format!(" {said}");
@@ -275,19 +290,19 @@ impl RelitView {
 /// How far the picture is.
 fn waiting(ui: &mut Ui, context: &mut PageContext<'_>) {
     let studies = &mut *context.studies;
-    progress(ui, studies.of::<LookAsk>(), "The picture");
-    progress(ui, studies.of::<FitAsk>(), "The fit");
-    progress(ui, studies.of::<TurnAsk>(), "The light");
+    progress(ui, studies.of::<LookAsk>(), said!("The picture"));
+    progress(ui, studies.of::<FitAsk>(), said!("The fit"));
+    progress(ui, studies.of::<TurnAsk>(), said!("The light"));
 }
 
 /// Other ways of keeping the same picture in as many numbers.
 fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
     let job = context.studies.of::<PeersAsk>();
     let Some(peers) = &shown.peers else {
-        return progress(ui, job, "The comparison");
+        return progress(ui, job, said!("The comparison"));
     };
     if job.stage() != Stage::Done {
-        progress(ui, job, "The comparison");
+        progress(ui, job, said!("The comparison"));
     }
     let (rows, words) = peer_rows(&peers.0);
     ui.add(egui::Label::new(words).wrap());
@@ -301,26 +316,26 @@ fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
 
 fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
     let columns = [
-        kit::Column::words("way", "The way of keeping the picture.", 3.0),
-        kit::Column::numbers("numbers", "Numbers a pixel.", 1.0),
+        kit::Column::words(said!("way"), said!("The way of keeping the picture."), 3.0),
+        kit::Column::numbers(said!("numbers"), said!("Numbers a pixel."), 1.0),
         kit::Column::numbers(
-            "bytes",
-            "Of the file, or of half numbers before packing.",
+            said!("bytes"),
+            said!("Of the file, or of half numbers before packing."),
             1.2,
         ),
         kit::Column::numbers(
-            "own ΔE₀₀",
-            "Own colour: 95 % of the pixels are within.",
+            said!("own ΔE₀₀"),
+            said!("Own colour: 95 % of the pixels are within."),
             1.1,
         ),
-        kit::Column::numbers("lights ΔE₀₀", "Mean under six lights.", 1.2),
+        kit::Column::numbers(said!("lights ΔE₀₀"), said!("Mean under six lights."), 1.2),
         kit::Column::numbers(
             "95 %",
-            "Under six lights: 95 % of the pixels are within.",
+            said!("Under six lights: 95 % of the pixels are within."),
             0.9,
         ),
-        kit::Column::numbers("rms %", "Of the spectra, relative.", 0.9),
-        kit::Column::words("remark", "", 3.0),
+        kit::Column::numbers(said!("rms %"), said!("Of the spectra, relative."), 0.9),
+        kit::Column::words(said!("remark"), "", 3.0),
     ];
     let row = |cells: Vec<String>| kit::Row {
         note: cells.last().cloned().unwrap_or_default(),

@@ -12,6 +12,7 @@ use crate::{
         relit::{RelitShown, StoreAsk, byte_rows, negative_words},
         studies::Stage,
     },
+    languages::said,
     ui::{
         kit::{self, Column, Row, table},
         pages::{PageContext, progress},
@@ -44,11 +45,13 @@ impl RelitView {
                 let memory = &mut context.pages.relit;
                 let worst = ui.add_enabled(
                     memory.pixel.is_some(),
-                    egui::Button::new(names::WORST).small(),
+                    egui::Button::new(said(names::WORST)).small(),
                 );
-                let worst = worst.on_hover_text("Shows the pixel that is most off.");
+                let worst = worst.on_hover_text(said!("Shows the pixel that is most off."));
                 if worst
-                    .on_disabled_hover_text("The pixel that is most off is shown; click another.")
+                    .on_disabled_hover_text(said!(
+                        "The pixel that is most off is shown; click another."
+                    ))
                     .clicked()
                 {
                     memory.pixel = None;
@@ -89,16 +92,16 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
     let (Some(stored), Some((fit, _))) = (&shown.stored, &shown.turned) else {
         return match job.stage() {
             Stage::Done => {}
-            _ => progress(ui, job, "The size of its files"),
+            _ => progress(ui, job, said!("The size of its files")),
         };
     };
     let columns = [
-        Column::words("file", "The way of keeping the picture.", 2.4),
-        Column::numbers("size", "Written and counted here.", 1.2),
-        Column::numbers("B/pixel", "Bytes a pixel.", 1.0),
+        Column::words(said!("file"), said!("The way of keeping the picture."), 2.4),
+        Column::numbers(said!("size"), said!("Written and counted here."), 1.2),
+        Column::numbers("B/pixel", said!("Bytes a pixel."), 1.0),
         Column::numbers(
             "ΔE₀₀",
-            "Own colour, read back: 95 % of all pixels are within.",
+            said!("Own colour, read back: 95 % of all pixels are within."),
             0.8,
         ),
     ];

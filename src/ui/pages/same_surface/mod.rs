@@ -19,6 +19,7 @@ use crate::{
         ticks::short,
     },
     io::many::numbers,
+    languages::said,
     study::products::{SAME_RESIDUAL, Sameness},
     ui::{
         kit::{Chooser, Form, GROUP, factors, fold, form, headline, lights, scrolled, two_columns},
@@ -41,14 +42,14 @@ const RANKING: f32 = 190.0;
 
 /// What buttons and lists are called.
 pub mod names {
-    pub const SURFACE: &str = "Surface S2";
-    pub const OUTGOING: &str = "Outgoing spectrum S3";
-    pub const EXAMPLE: &str = "Surface of the example";
-    pub const TWICE: &str = "twice";
-    pub const MAKE: &str = "Make an example";
-    pub const AMONG: &str = "Best surface among";
-    pub const COPY: &str = "Copy the ranking as CSV";
-    pub const HOW: &str = "How it is checked";
+    pub const SURFACE: &str = later!("Surface S2");
+    pub const OUTGOING: &str = later!("Outgoing spectrum S3");
+    pub const EXAMPLE: &str = later!("Surface of the example");
+    pub const TWICE: &str = later!("twice");
+    pub const MAKE: &str = later!("Make an example");
+    pub const AMONG: &str = later!("Best surface among");
+    pub const COPY: &str = later!("Copy the ranking as CSV");
+    pub const HOW: &str = later!("How it is checked");
 }
 
 /// The page and what it keeps from frame to frame.
@@ -83,7 +84,7 @@ impl Shown {
         let app = example.as_ref().unwrap_or(app);
         let sheet = SameSurfaceSheet::of(app)?;
         let compared = sheet.model.as_ref();
-        let what = "In the model's numbers, behind 10 nm";
+        let what = said!("In the model's numbers, behind 10 nm");
         Some(Self {
             sum: as_product(app, &sheet),
             model: compared.map(|compared| same_surface_chart(app, &sheet, compared, what)),
@@ -101,7 +102,7 @@ impl SameSurfaceView {
             .shown
             .get(app.revision(), |_| Shown::of(app).map(Arc::new));
         let Some(shown) = shown.clone() else {
-            let words = "Is a spectrum the light off a surface? Choose both below.";
+            let words = said!("Is a spectrum the light off a surface? Choose both below.");
             headline(ui, context.theme, words);
             ui.add_space(GROUP);
             choices(ui, context, &mut self.example);
@@ -125,12 +126,14 @@ impl SameSurfaceView {
             let left = (room.y - high - 150.0 * scale).max(RANKING * scale);
             let mut asked = |ui: &mut Ui, context: &mut PageContext<'_>| {
                 if shown.example.is_some() {
-                    ui.weak("An example. Choose a spectrum of your own to check it.");
+                    ui.weak(said!(
+                        "An example. Choose a spectrum of your own to check it."
+                    ));
                     ui.add_space(6.0);
                 }
                 choices(ui, context, made);
                 ui.add_space(GROUP);
-                fold(ui, "how", names::HOW, |ui| {
+                fold(ui, "how", said(names::HOW), |ui| {
                     verdicts(ui, context, &shown.sheet);
                     if let Some(chart) = &shown.model {
                         let size = vec2(ui.available_width(), 240.0 * scale);
@@ -195,30 +198,32 @@ fn choices(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<Entry
     let width = 170.0 * context.theme.scale;
     form(ui, "same surface", |form| {
         let outgoing = Chooser {
-            name: names::OUTGOING,
-            meaning: "The spectrum that may have come from the surface; files that you open as \
-                      lights are in the list.",
-            says: name(&products.outgoing, "choose a spectrum"),
+            name: said(names::OUTGOING),
+            meaning: said!(
+                "The spectrum that may have come from the surface; files that you open as lights \
+                 are in the list."
+            ),
+            says: name(&products.outgoing, said!("choose a spectrum")),
             offers: lights,
             width,
         };
-        let outgoing = chosen(form, context, "Is the spectrum", outgoing);
+        let outgoing = chosen(form, context, said!("Is the spectrum"), outgoing);
         if outgoing.is_some() {
             change(context, |products| products.outgoing = outgoing);
         }
         let light = context.app.document().light.name();
-        let meaning = "The window's light: choose another in the library.";
-        form.row(("the light", meaning), |ui, _| {
+        let meaning = said!("The window's light: choose another in the library.");
+        form.row((said!("the light"), meaning), |ui, _| {
             ui.add(egui::Label::new(RichText::new(light).strong()).truncate())
         });
         let surface = Chooser {
-            name: names::SURFACE,
-            meaning: "The reflectance that may have turned the light into the spectrum.",
-            says: name(&products.surface, "choose a surface"),
+            name: said(names::SURFACE),
+            meaning: said!("The reflectance that may have turned the light into the spectrum."),
+            says: name(&products.surface, said!("choose a surface")),
             offers: factors,
             width,
         };
-        let surface = chosen(form, context, "off the surface", surface);
+        let surface = chosen(form, context, said!("off the surface"), surface);
         if surface.is_some() {
             change(context, |products| products.surface = surface);
         }
@@ -243,20 +248,20 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
     ui.horizontal_wrapped(|ui| {
         let surface = of.as_ref().or(products.surface.as_ref()).cloned();
         let make = ui
-            .add_enabled(surface.is_some(), Button::new(names::MAKE))
-            .on_hover_text(
-                "Computes the present light off the surface, keeps it as a spectrum of your \
-                 own and takes it as S3: something to check when there is no file at hand.",
-            )
-            .on_disabled_hover_text("Choose a surface first.");
-        ui.label("of this light off");
+            .add_enabled(surface.is_some(), Button::new(said(names::MAKE)))
+            .on_hover_text(said!(
+                "Computes the present light off the surface, keeps it as a spectrum of your own \
+                 and takes it as S3: something to check when there is no file at hand."
+            ))
+            .on_disabled_hover_text(said!("Choose a surface first."));
+        ui.label(said!("of this light off"));
         let says = match (&*of, &surface) {
             (Some(entry), _) | (None, Some(entry)) => entry.name().to_owned(),
-            (None, None) => "choose a surface".to_owned(),
+            (None, None) => said!("choose a surface").to_owned(),
         };
         let chosen = Chooser {
-            name: names::EXAMPLE,
-            meaning: "The surface that the example's light really comes from.",
+            name: said(names::EXAMPLE),
+            meaning: said!("The surface that the example's light really comes from."),
             says: &says,
             offers: factors,
             width: 110.0 * context.theme.scale,
@@ -266,10 +271,10 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
             *of = chosen;
         }
         let twice = &mut context.pages.same_surface.twice;
-        ui.checkbox(twice, names::TWICE).on_hover_text(
-            "The light meets the surface twice, as in a corner: a single reflection should \
-             then not explain it.",
-        );
+        ui.checkbox(twice, said(names::TWICE)).on_hover_text(said!(
+            "The light meets the surface twice, as in a corner: a single reflection should then \
+             not explain it."
+        ));
         if let Some(surface) = surface.filter(|_| make.clicked()) {
             let recipe = example(context.app, &surface, *twice);
             let place = MadeFor::Outgoing;
@@ -290,10 +295,10 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    let words = format!(
-        "{} light × surface = spectrum: {}",
-        verdict.sign(),
-        verdict.told()
+    let words = tr!(
+        "{sign} light × surface = spectrum: {verdict}",
+        sign = verdict.sign(),
+        verdict = said(verdict.told())
     );
     ui.label(RichText::new(words).strong().color(colour));
     ui.add_space(2.0);
@@ -302,9 +307,12 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         .show(ui, |ui| {
             for (head, meaning) in [
                 ("", ""),
-                ("residual", RESIDUAL_MEANS),
-                ("times", FACTOR_MEANS),
-                ("verdict", "Up to the threshold it holds; see below."),
+                (said!("residual"), said(RESIDUAL_MEANS)),
+                (said!("times"), said(FACTOR_MEANS)),
+                (
+                    said!("verdict"),
+                    said!("Up to the threshold it holds; see below."),
+                ),
             ] {
                 let label = ui.label(RichText::new(head).small());
                 if !meaning.is_empty() {
@@ -312,15 +320,15 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 }
             }
             ui.end_row();
-            let model = format!(
-                "in the model's {} and {}",
-                sheet.numbers[0],
-                numbers(sheet.numbers[1])
+            let model = tr!(
+                "in the model's {light} and {spectrum}",
+                light = sheet.numbers[0],
+                spectrum = numbers(sheet.numbers[1])
             );
             let rows = [
                 (model, &sheet.model, verdict),
                 (
-                    "measured curves".to_owned(),
+                    said!("measured curves").to_owned(),
                     &sheet.measured,
                     sheet.measured_verdict(),
                 ),
@@ -330,17 +338,17 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 ui.label(what);
                 ui.label(hundredths(found.map(|f| f.residual)));
                 ui.label(hundredths(found.map(|f| f.factor)));
-                ui.label(format!("{} {}", verdict.sign(), verdict.told()));
+                ui.label(format!("{} {}", verdict.sign(), said(verdict.told())));
                 ui.end_row();
             }
         });
-    ui.weak(format!(
-        "It holds up to a residual of {}, and does not hold beyond that plus what the models \
-                 leave out themselves. In tests with shipped lights off shipped surfaces 95 of 100 \
-                 right surfaces stayed below it, and 2 of 100 wrong ones.",
-        short(SAME_RESIDUAL)
+    ui.weak(tr!(
+        "It holds up to a residual of {limit}, and does not hold beyond that plus what the models \
+         leave out themselves. In tests with shipped lights off shipped surfaces 95 of 100 right \
+         surfaces stayed below it, and 2 of 100 wrong ones.",
+        limit = short(SAME_RESIDUAL)
     ));
 }
 
 const FACTOR_MEANS: &str =
-    "The multiple of light times surface that comes closest: geometry, not colour.";
+    later!("The multiple of light times surface that comes closest: geometry, not colour.");

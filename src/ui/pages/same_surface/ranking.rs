@@ -16,6 +16,7 @@ use crate::{
         pages::same_surface::{RankAsk, Ranked, SameSurfaceSheet, ranking},
         studies::Stage,
     },
+    languages::said,
     study::products::Sameness,
     ui::{
         kit::{self, Column, Row, Table, copy_button},
@@ -38,21 +39,21 @@ pub(super) fn show(
     let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
-        ui.strong("The surfaces that explain it best");
-        copy_button(ui, names::COPY, "", || {
+        ui.strong(said!("The surfaces that explain it best"));
+        copy_button(ui, said(names::COPY), "", || {
             let csv = |ranked: &Arc<Vec<Ranked>>| ranking(&sheet.names, ranked).csv();
             ranked.as_ref().map_or_else(String::new, csv)
         });
     });
     ui.horizontal_wrapped(|ui| {
-        ui.label("Among");
-        let meaning = "The surfaces that are tried: the chosen set, or everything shipped.";
+        ui.label(said!("Among"));
+        let meaning = said!("The surfaces that are tried: the chosen set, or everything shipped.");
         let everywhere = context.pages.same_surface.everywhere;
         context.pages.same_surface.everywhere =
-            among(ui, context, names::AMONG, meaning, everywhere);
+            among(ui, context, said(names::AMONG), meaning, everywhere);
         let job = context.studies.of::<RankAsk>();
         if job.stage() != Stage::Done {
-            progress(ui, job, "The ranking");
+            progress(ui, job, said!("The ranking"));
         }
     });
     let Some(ranked) =
@@ -62,20 +63,32 @@ pub(super) fn show(
     };
     let count = |verdict: Sameness| ranked.iter().filter(|r| r.verdict == verdict).count();
     let (holding, open) = (count(Sameness::Holds), count(Sameness::Unknown));
-    ui.label(format!(
-        "{holding} of {} surfaces fit the model's numbers{}{}",
-        ranked.len(),
-        if open > 0 {
-            format!("; {open} are undecided")
-        } else {
-            String::new()
-        },
-        if 3 * holding > ranked.len() {
-            ": this light tells surfaces badly apart."
-        } else {
-            "."
-        }
-    ));
+    ui.label(match (open > 0, 3 * holding > ranked.len()) {
+        (true, true) => tr!(
+            "{holding} of {count} surfaces fit the model's numbers; {open} are undecided: this \
+             light tells surfaces badly apart.",
+            holding,
+            count = ranked.len(),
+            open
+        ),
+        (true, false) => tr!(
+            "{holding} of {count} surfaces fit the model's numbers; {open} are undecided.",
+            holding,
+            count = ranked.len(),
+            open
+        ),
+        (false, true) => tr!(
+            "{holding} of {count} surfaces fit the model's numbers: this light tells surfaces \
+             badly apart.",
+            holding,
+            count = ranked.len()
+        ),
+        (false, false) => tr!(
+            "{holding} of {count} surfaces fit the model's numbers.",
+            holding,
+            count = ranked.len()
+        ),
+    });
     let (columns, rows) = laid_out.get(ByAddress(ranked.clone()), |_| {
         self::laid_out(sheet, &ranked)
     });
@@ -110,19 +123,24 @@ pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Colu
     let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
     columns.insert(
         0,
-        Column::words("", "Colour of the surface under the light.", 0.09),
+        Column::words("", said!("Colour of the surface under the light."), 0.09),
     );
     let mut rows = kit::rows(&table, |i, cells| {
         let ranked = &ranked[i];
         let [name, residual] = [&cells[0], &cells[1]];
         [
-            format!("{name}: residual {residual}, {}", ranked.verdict.told()),
-            format!(
-                "{}\nTimes {} in the model's numbers, {} measured.\nClick to take it as the \
-                 surface S2.",
-                ranked.key,
-                hundredths(ranked.model.map(|m| m.factor)),
-                hundredths(ranked.measured.map(|m| m.factor)),
+            tr!(
+                "{name}: residual {residual}, {verdict}",
+                name,
+                residual,
+                verdict = said(ranked.verdict.told())
+            ),
+            tr!(
+                "{surface}\nTimes {modelled} in the model's numbers, {measured} measured.\nClick \
+                 to take it as the surface S2.",
+                surface = ranked.key,
+                modelled = hundredths(ranked.model.map(|m| m.factor)),
+                measured = hundredths(ranked.measured.map(|m| m.factor))
             ),
         ]
     });

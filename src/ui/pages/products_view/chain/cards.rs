@@ -16,6 +16,7 @@ use crate::{
         product_report::scaled,
         ticks::short,
     },
+    languages::{fixed, said},
     study::products::Colours,
     ui::{
         kit::{Chooser, down, lights, named_choice},
@@ -124,10 +125,12 @@ fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usiz
         ui.painter().text(at, align, words, font.clone(), ink);
     }
     response.on_hover_text(match shares.len() {
-        1 => "Share of the brightness that this step lets through, exact.",
+        1 => said!("Share of the brightness that this step lets through, exact."),
         _ => {
-            "Share of the brightness that this step lets through, above of the light, below of \
-              the second one, exact."
+            said!(
+                "Share of the brightness that this step lets through, above of the light, below of \
+                 the second one, exact."
+            )
         }
     });
 }
@@ -136,8 +139,8 @@ fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usiz
 fn percent(share: f64) -> String {
     let value = 100.0 * share;
     match value {
-        v if v >= 9.95 => format!("{v:.0} %"),
-        v if v >= 0.095 => format!("{v:.1} %"),
+        v if v >= 9.95 => format!("{} %", fixed(v, 0)),
+        v if v >= 0.095 => format!("{} %", fixed(v, 1)),
         v if v > 0.0 => "< 0.1 %".to_owned(),
         _ => "0 %".to_owned(),
     }
@@ -240,8 +243,15 @@ fn card(
         })
         .response;
     let name = match place {
-        Place::Light => format!("Light: {}", context.app.document().light.name()),
-        Place::Stage(index) => format!("Step {}: {}", index + 1, sheet.told.names[index]),
+        Place::Light => tr!(
+            "Light: {light}",
+            light = context.app.document().light.name()
+        ),
+        Place::Stage(index) => tr!(
+            "Step {number}: {name}",
+            number = index + 1,
+            name = sheet.told.names[index]
+        ),
     };
     named_choice(&response, egui::Role::Button, is_chosen, &name);
     if response.clicked() {
@@ -253,8 +263,8 @@ fn card(
 fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, sizes: Sizes) {
     let app = context.app;
     let chosen = Chooser {
-        name: names::LIGHT,
-        meaning: "Another light, shipped or your own; it becomes the window's light.",
+        name: said(names::LIGHT),
+        meaning: said!("Another light, shipped or your own; it becomes the window's light."),
         says: app.document().light.name(),
         offers: lights,
         width: ui.available_width() - 24.0,
@@ -266,10 +276,9 @@ fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, si
     let light = sheet.told.passage.light;
     swatch_of(ui, context, sheet, (Place::Light, &light), sizes);
     let words = match &app.document().second {
-        Some(second) => {
-            RichText::new(format!("right {}", second.name())).color(context.theme.ink(Ink::Second))
-        }
-        None => RichText::new("the light").weak(),
+        Some(second) => RichText::new(tr!("right {light}", light = second.name()))
+            .color(context.theme.ink(Ink::Second)),
+        None => RichText::new(said!("the light")).weak(),
     };
     ui.add(Label::new(words).truncate());
 }
@@ -304,9 +313,9 @@ fn stage_card(
         .map(|(xyz, _)| percent(xyz.y / 100.0))
         .collect();
     let left = match &left[..] {
-        [] => "no visible light".to_owned(),
-        [one] => format!("{one} of the light left"),
-        more => format!("{} left", more.join(" | ")),
+        [] => said!("no visible light").to_owned(),
+        [one] => tr!("{share} of the light left", share = one),
+        more => tr!("{shares} left", shares = more.join(" | ")),
     };
     ui.add(Label::new(RichText::new(left).weak()).truncate());
     ui.horizontal(|ui| {
@@ -322,24 +331,33 @@ fn stage_card(
 fn order(ui: &mut Ui, context: &mut PageContext<'_>, (count, index): (usize, usize)) {
     let number = index + 1;
     ui.horizontal(|ui| {
-        let mut button = |sign: &str, what: &str, meaning: &str, on: bool| {
+        let mut button = |sign: &str, name: String, meaning: &str, on: bool| {
             let button = egui::Button::new(sign).small();
             let response = ui.add_enabled(on, button);
-            let name = format!("{what} step {number}");
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, on, &name));
             response.on_hover_text(meaning).clicked()
         };
-        if button("←", "Move up", "Earlier in the chain.", index > 0) {
+        if button(
+            "←",
+            tr!("Move up step {number}", number),
+            said!("Earlier in the chain."),
+            index > 0,
+        ) {
             move_link(context, index, index - 1);
         }
-        if button("→", "Move down", "Later in the chain.", number < count) {
+        if button(
+            "→",
+            tr!("Move down step {number}", number),
+            said!("Later in the chain."),
+            number < count,
+        ) {
             move_link(context, index, index + 1);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let remove = ui.small_button("Remove");
-            let name = format!("Remove step {number}");
+            let remove = ui.small_button(said!("Remove"));
+            let name = tr!("Remove step {number}", number);
             remove.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-            let meaning = "Takes this step out of the chain.";
+            let meaning = said!("Takes this step out of the chain.");
             if remove.on_hover_text(meaning).clicked() {
                 change(context, |products| drop(products.chain.remove(index)));
             }
@@ -370,12 +388,16 @@ fn swatch_of(
     };
     let document = context.app.document();
     let halves = match &document.second {
-        Some(second) => format!("{} and {}", document.light.name(), second.name()),
-        None => "exact and model".to_owned(),
+        Some(second) => tr!(
+            "{one} and {other}",
+            one = document.light.name(),
+            other = second.name()
+        ),
+        None => said!("exact and model").to_owned(),
     };
     let name = match place {
-        Place::Light => format!("Light, {halves}"),
-        Place::Stage(index) => format!("Step {}, {halves}", index + 1),
+        Place::Light => tr!("Light, {halves}", halves),
+        Place::Stage(index) => tr!("Step {number}, {halves}", number = index + 1, halves),
     };
     let response = swatch::split(ui, size, &exact.1, &other.1, &name);
     if response.clicked() {
@@ -383,14 +405,16 @@ fn swatch_of(
     }
     let [left, right] = match &document.second {
         Some(second) => [document.light.name(), second.name()],
-        None => ["exact", "the model"],
+        None => [said!("exact"), said!("the model")],
     };
-    response.on_hover_text(format!(
-        "Left {left} {}, right {right} {}, the light's Y as the screen's white.\nY {} and {} of \
-         the light's 100.",
-        exact.1.hex(),
-        other.1.hex(),
-        short(exact.0.y),
-        short(other.0.y),
+    response.on_hover_text(tr!(
+        "Left {left} {left_hex}, right {right} {right_hex}, the light's Y as the screen's \
+         white.\nY {left_y} and {right_y} of the light's 100.",
+        left,
+        left_hex = exact.1.hex(),
+        right,
+        right_hex = other.1.hex(),
+        left_y = short(exact.0.y),
+        right_y = short(other.0.y)
     ));
 }

@@ -1,5 +1,6 @@
 //! How thick a factor is and how often it is met.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
 use egui::{DragValue, RichText, Ui};
 
@@ -18,14 +19,14 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
         return;
     }
     let label = ui.label(
-        RichText::new("thickness")
+        RichText::new(said!("thickness"))
             .small()
             .color(context.theme.faint),
     );
     let mm = link.measured_mm();
     let unit = mm.unwrap_or(1.0);
     let mut value = link.thickness * unit;
-    let drag = DragValue::new(&mut value)
+    let drag = drag_value(&mut value)
         .range(*THICKNESSES.start() * unit..=*THICKNESSES.end() * unit)
         .speed(0.02 * unit)
         .custom_formatter(|v, _| short(v));
@@ -33,16 +34,22 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
         Some(_) => drag.suffix(" mm"),
         None => drag.suffix(" ×"),
     };
-    let response = number(ui, drag, &format!("Thickness of step {}", index + 1));
+    let response = number(
+        ui,
+        drag,
+        &tr!("Thickness of step {number}", number = index + 1),
+    );
     let meaning = match mm {
-        Some(mm) => format!(
-            "Thickness of the glass, mm; measured at {} mm. Internal transmittance to the power \
-             of the ratio (Beer-Lambert).",
-            short(mm)
+        Some(mm) => tr!(
+            "Thickness of the glass, mm; measured at {thickness} mm. Internal transmittance to the \
+             power of the ratio (Beer-Lambert).",
+            thickness = short(mm)
         ),
-        None => "Thickness as a multiple of the measured one (Beer-Lambert): each share to this \
-                 power. For glasses and filters."
-            .to_owned(),
+        None => said!(
+            "Thickness as a multiple of the measured one (Beer-Lambert): each share to this power. \
+             For glasses and filters."
+        )
+        .to_owned(),
     };
     let changed = response.changed();
     label.on_hover_text(&meaning);
@@ -54,16 +61,21 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
 }
 
 pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
-    let meaning = "Bounces off the surface, or passes through the filter, one after the other.";
+    let meaning =
+        said!("Bounces off the surface, or passes through the filter, one after the other.");
     let name = match link.entry.kind() {
-        Kind::Transmittance => "passes",
-        _ => "bounces",
+        Kind::Transmittance => said!("passes"),
+        _ => said!("bounces"),
     };
     let label = ui.label(RichText::new(name).small().color(context.theme.faint));
     label.on_hover_text(meaning);
     let mut bounces = link.bounces;
-    let drag = DragValue::new(&mut bounces).range(BOUNCES).speed(0.05);
-    let response = number(ui, drag, &format!("Bounces of step {}", index + 1));
+    let drag = drag_value(&mut bounces).range(BOUNCES).speed(0.05);
+    let response = number(
+        ui,
+        drag,
+        &tr!("Bounces of step {number}", number = index + 1),
+    );
     let changed = response.changed();
     response.on_hover_text(meaning);
     if changed {

@@ -15,6 +15,7 @@ use crate::{
         headlines,
         products::{Link, MOST_LINKS},
     },
+    languages::said,
     ui::{
         kit::{Chooser, GROUP, factors, fold, headline, pressed, scrolled, warning},
         pages::PageContext,
@@ -23,13 +24,13 @@ use crate::{
 
 /// Names of controls, shared with the tests that move them.
 pub mod names {
-    pub const ADD: &str = "Add a filter, glass or surface";
-    pub const LIGHT: &str = "Light of the chain";
-    pub const WAY: &str = "Products formed";
-    pub const COPY_STAGES: &str = "Steps as CSV";
-    pub const COPY_SPIKES: &str = "Lines as CSV";
-    pub const CLEAR: &str = "Empty the chain";
-    pub const MODEL: &str = "The model, step by step";
+    pub const ADD: &str = later!("Add a filter, glass or surface");
+    pub const LIGHT: &str = later!("Light of the chain");
+    pub const WAY: &str = later!("Products formed");
+    pub const COPY_STAGES: &str = later!("Steps as CSV");
+    pub const COPY_SPIKES: &str = later!("Lines as CSV");
+    pub const CLEAR: &str = later!("Empty the chain");
+    pub const MODEL: &str = later!("The model, step by step");
 }
 
 /// Least height of the spectrum before a class, points.
@@ -85,7 +86,7 @@ impl ChainView {
             }
             let high = (left - FOLDED * scale).max(SPECTRUM * scale);
             context.chart(ui, chart, "chain", vec2(width, high));
-            fold(ui, "model", names::MODEL, |ui| {
+            fold(ui, "model", said(names::MODEL), |ui| {
                 model::show(ui, context, sheet, place);
             });
         });
@@ -96,14 +97,22 @@ impl ChainView {
 fn trouble(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
     let derived = &sheet.light.derived;
     if !derived.has_errors() {
-        warning(ui, context.theme, "The light is zero over the whole range.");
+        warning(
+            ui,
+            context.theme,
+            said!("The light is zero over the whole range."),
+        );
     } else if derived.colour.exact.is_none() {
-        let words = "No visible light in this range: there is no colour.";
+        let words = said!("No visible light in this range: there is no colour.");
         warning(ui, context.theme, words);
     }
     for (index, notes) in sheet.notes.iter().enumerate() {
         for note in notes {
-            warning(ui, context.theme, format!("Step {}: {note}", index + 1));
+            warning(
+                ui,
+                context.theme,
+                tr!("Step {number}: {note}", number = index + 1, note),
+            );
         }
     }
 }
@@ -160,10 +169,12 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
         let chosen = ui
             .add_enabled_ui(room, |ui| {
                 Chooser {
-                    name: names::ADD,
-                    meaning: "Reflectances and transmittances, shipped and your own; the one \
-                              chosen joins the end of the chain.",
-                    says: names::ADD,
+                    name: said(names::ADD),
+                    meaning: said!(
+                        "Reflectances and transmittances, shipped and your own; the one chosen \
+                         joins the end of the chain."
+                    ),
+                    says: said(names::ADD),
                     offers: factors,
                     width: 190.0 * context.theme.scale,
                 }
@@ -175,14 +186,14 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
             choose(context, Place::Stage(count));
         }
         if !room {
-            ui.weak(format!("{MOST_LINKS} at most."));
+            ui.weak(tr!("{count} at most.", count = MOST_LINKS));
         }
-        let meaning = "Takes all steps away; undo brings them back.";
-        if count > 0 && pressed(ui, names::CLEAR, meaning) {
+        let meaning = said!("Takes all steps away; undo brings them back.");
+        if count > 0 && pressed(ui, said(names::CLEAR), meaning) {
             change(context, |products| products.chain.clear());
         }
         if count > 1 && !context.theme.presents {
-            ui.weak("Drag cards into another order, or use their arrows.");
+            ui.weak(said!("Drag cards into another order, or use their arrows."));
         }
     });
 }

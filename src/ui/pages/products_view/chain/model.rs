@@ -12,6 +12,7 @@ use crate::{
         products::KnownLines,
         ticks::short,
     },
+    languages::{fixed, said},
     spectrum::{Line, Sampling},
     study::products::Colours,
     ui::{
@@ -24,8 +25,8 @@ use crate::{
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, place: Place) {
     ui.horizontal_wrapped(|ui| {
         way(ui, context);
-        let meaning = "Copies the light and every step as a table.";
-        if pressed(ui, names::COPY_STAGES, meaning) {
+        let meaning = said!("Copies the light and every step as a table.");
+        if pressed(ui, said(names::COPY_STAGES), meaning) {
             let chain = &context.app.document().products.chain;
             ui.ctx()
                 .copy_text(stages_table(context.app, &sheet.told, chain).csv());
@@ -41,17 +42,21 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainShee
 /// What exact light and model are behind each step.
 fn steps(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
     let columns = [
-        Column::words("", "The light and the steps behind it.", 2.0),
-        Column::numbers("Y exact", "Luminance, the light's at 100.", 1.0),
-        Column::numbers("Y model", "The same by the model.", 1.0),
+        Column::words("", said!("The light and the steps behind it."), 2.0),
+        Column::numbers(
+            said!("Y exact"),
+            said!("Luminance, the light's at 100."),
+            1.0,
+        ),
+        Column::numbers(said!("Y model"), said!("The same by the model."), 1.0),
         Column::numbers(
             "ΔE₀₀",
-            "CIEDE2000 between exact and model; the white is the exact light.",
+            said!("CIEDE2000 between exact and model; the white is the exact light."),
             1.0,
         ),
         Column::numbers(
-            "brightness, %",
-            "Luminance error: Y model over Y exact, minus 1.",
+            said!("brightness, %"),
+            said!("Luminance error: Y model over Y exact, minus 1."),
             1.0,
         ),
     ];
@@ -77,30 +82,38 @@ fn steps(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
 fn totals(ui: &mut Ui, sheet: &ChainSheet) {
     let total = sheet.told.passage.total();
     let added = total.added.map_or(String::new(), |added| {
-        format!("Forming the products adds ΔE₀₀ {}. ", hundredths(added))
+        tr!(
+            "Forming the products adds ΔE₀₀ {difference}. ",
+            difference = hundredths(added)
+        )
     });
     let folded = match 100.0 * total.folded_share {
         0.0 => String::new(),
-        share => format!("{} % of the power is folded back. ", hundredths(share)),
+        share => tr!(
+            "{share} % of the power is folded back. ",
+            share = hundredths(share)
+        ),
     };
-    let words = format!("{added}{folded}{} multiplications.", total.multiplications);
+    let multiplications =
+        tr!("{n} multiplications." | "{n} multiplications." % total.multiplications);
+    let words = format!("{added}{folded}{multiplications}");
     ui.add(egui::Label::new(RichText::new(words).weak()).wrap())
-        .on_hover_text(
+        .on_hover_text(said!(
             "Against the exact product of the same model and series; errors of colour do not \
              simply add up. Folded: power in waves that the points fold back (a convolution cuts \
-             it off). One multiplication a point, or a pair of numbers, and one a line.",
-        );
+             it off). One multiplication a point, or a pair of numbers, and one a line."
+        ));
 }
 
 /// The ways of forming products.
 fn way(ui: &mut Ui, context: &mut PageContext<'_>) {
     let before = context.app.document().settings.sampling;
-    ui.label("formed by").on_hover_text(
+    ui.label(said!("formed by")).on_hover_text(said!(
         "The model's way of forming the product of light and step; the exact side is always the \
-         measured curves at every nm.",
-    );
+         measured curves at every nm."
+    ));
     let choice = Choice {
-        name: names::WAY,
+        name: said(names::WAY),
         meaning: sampling_words(before).1,
         width: 120.0 * context.theme.scale,
     };
@@ -115,15 +128,15 @@ fn way(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place: Place) {
     let (app, spikes) = (context.app, sheet.spikes(place));
     ui.horizontal(|ui| {
-        let title = "Lines, carried exactly (Eq. 14)";
-        ui.strong(title).on_hover_text(
+        let title = said!("Lines, carried exactly (Eq. 14)");
+        ui.strong(title).on_hover_text(said!(
             "Each line keeps its place; its weight is multiplied by what the step lets through \
-             there.",
-        );
-        let meaning = "Copies places, weights and names as a table.";
-        if !spikes.is_empty() && pressed_small(ui, names::COPY_SPIKES, meaning) {
+             there."
+        ));
+        let meaning = said!("Copies places, weights and names as a table.");
+        if !spikes.is_empty() && pressed_small(ui, said(names::COPY_SPIKES), meaning) {
             let stage = match place {
-                Place::Light => "the light",
+                Place::Light => said!("the light"),
                 Place::Stage(index) => &sheet.told.names[index],
             };
             ui.ctx()
@@ -132,9 +145,9 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
     });
     if spikes.is_empty() {
         ui.weak(if app.document().settings.spikes {
-            "No lines: those of the light are below the threshold, or there are none."
+            said!("No lines: those of the light are below the threshold, or there are none.")
         } else {
-            "Lines are switched off."
+            said!("Lines are switched off.")
         });
         return;
     }
@@ -144,21 +157,23 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
         .factor(&document.light.spectrum)
         .unwrap_or(1.0);
     let columns = [
-        Column::numbers("nm", "Place of the line, nm.", 0.8),
+        Column::numbers("nm", said!("Place of the line, nm."), 0.8),
         Column::numbers(
-            "weight",
-            "Power of the line here, in the unit of the plot × nm.",
+            said!("weight"),
+            said!("Power of the line here, in the unit of the plot × nm."),
             1.1,
         ),
         Column::numbers(
-            "of the light's, %",
-            "Its weight here over that in the light, percent: the share that the steps so far let \
-             through at its place. A dark line of a step has none in the light.",
+            said!("of the light's, %"),
+            said!(
+                "Its weight here over that in the light, percent: the share that the steps so far \
+                 let through at its place. A dark line of a step has none in the light."
+            ),
             1.1,
         ),
         Column::words(
-            "line",
-            "Named only where it is safe; otherwise the nearest line.",
+            said!("line"),
+            said!("Named only where it is safe; otherwise the nearest line."),
             1.4,
         ),
     ];
@@ -178,13 +193,18 @@ fn row(spike: &Line, own: &[Line], factor: f64, known: &KnownLines) -> Row {
         .and_then(|name| name.safe.clone())
         .unwrap_or_else(|| "–".to_owned());
     let cells = vec![
-        format!("{:.1}", spike.at_nm),
+        fixed(spike.at_nm, 1),
         short(spike.weight * factor),
         hundredths(share.filter(|s| s.is_finite()).map(|s| 100.0 * s)),
         name.clone(),
     ];
     Row {
-        name: format!("Line at {} nm, weight {}, {name}", cells[0], cells[1]),
+        name: tr!(
+            "Line at {place} nm, weight {weight}, {name}",
+            place = cells[0],
+            weight = cells[1],
+            name
+        ),
         cells,
         ..Row::default()
     }

@@ -6,6 +6,7 @@ use egui::{CursorIcon, Ui, Vec2, pos2, vec2};
 use super::names;
 use crate::{
     app::{chart::Chart, pages::NarrowMemory},
+    languages::said,
     spectrum::Band,
     ui::{
         chart_view::{ChartResponse, ChartView},
@@ -122,17 +123,18 @@ pub(super) fn errors(
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
     ui.horizontal_wrapped(|ui| {
         let memory = &mut context.pages.narrow;
-        ui.label("Error of");
+        ui.label(said!("Error of"));
         ui.selectable_value(&mut memory.luminance, false, names::COLOUR)
-            .on_hover_text(
-                "CIEDE2000, what is below 0.1 at the foot of the axis; both sides brightened so that the exact light behind the filter has \
-                 half the whole light's Y, by at most fifty times.",
-            );
-        ui.selectable_value(&mut memory.luminance, true, names::LUMINANCE)
-            .on_hover_text(
-                "Y of the representation over that of the exact light, minus 1, percent.",
-            );
-        ui.weak("Click or drag to move the band-pass.");
+            .on_hover_text(said!(
+                "CIEDE2000, what is below 0.1 at the foot of the axis; both sides brightened so \
+                 that the exact light behind the filter has half the whole light's Y, by at most \
+                 fifty times."
+            ));
+        ui.selectable_value(&mut memory.luminance, true, said(names::LUMINANCE))
+            .on_hover_text(said!(
+                "Y of the representation over that of the exact light, minus 1, percent."
+            ));
+        ui.weak(said!("Click or drag to move the band-pass."));
     });
     let size = vec2(size.x, size.y - row);
     let shown = ChartView::held(ui, chart, "narrow error", size, context.theme);

@@ -2,6 +2,7 @@
 
 mod band_pass;
 
+use crate::ui::kit::{drag_value, slide};
 use eframe::egui;
 use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
 
@@ -15,8 +16,10 @@ use crate::{
         headlines,
         numbers::{delta_e, figure, percent},
         pages::{NarrowMemory, PASS_WIDTHS_NM},
+        ticks::short,
     },
     color::Swatch,
+    languages::{said, signed},
     spectrum::Band,
     study::products::NarrowPoint,
     ui::{
@@ -31,13 +34,13 @@ const WIDE: f32 = 1040.0;
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const CENTRE: &str = "Centre";
-    pub const WIDTH: &str = "Width";
-    pub const FILTER: &str = "Filter";
-    pub const GAUSSIAN: &str = "Gaussian";
-    pub const COPY: &str = "Copy filters as CSV";
+    pub const CENTRE: &str = later!("Centre");
+    pub const WIDTH: &str = later!("Width");
+    pub const FILTER: &str = later!("Filter");
+    pub const GAUSSIAN: &str = later!("Gaussian");
+    pub const COPY: &str = later!("Copy filters as CSV");
     pub const COLOUR: &str = "ΔE₀₀";
-    pub const LUMINANCE: &str = "luminance";
+    pub const LUMINANCE: &str = later!("luminance");
 }
 
 /// What one filter leaves of the light and of the second one, and the two charts.
@@ -134,46 +137,52 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
     let app = context.app;
     let memory = &mut context.pages.narrow;
     ui.horizontal_wrapped(|ui| {
-        let label = ui.label(names::CENTRE);
+        let label = ui.label(said(names::CENTRE));
         let mut centre = memory.centre_nm.clamp(band.min_nm(), band.max_nm());
-        let slider = Slider::new(&mut centre, band.min_nm()..=band.max_nm())
+        let slider = slide(&mut centre, band.min_nm()..=band.max_nm())
             .fixed_decimals(1)
             .suffix(" nm");
-        let response = ui.add(slider).labelled_by(label.id).on_hover_text(
-            "Centre of the Gaussian band-pass, nm. It can be dragged in the chart too.",
-        );
+        let response = ui.add(slider).labelled_by(label.id).on_hover_text(said!(
+            "Centre of the Gaussian band-pass, nm. It can be dragged in the chart too."
+        ));
         if response.changed() {
             memory.centre_nm = centre;
             memory.filter = None;
         }
-        let label = ui.label(names::WIDTH);
+        let label = ui.label(said(names::WIDTH));
         let [least, most] = PASS_WIDTHS_NM;
-        let width = DragValue::new(&mut memory.width_nm)
+        let width = drag_value(&mut memory.width_nm)
             .speed(0.1)
             .range(least..=most)
             .fixed_decimals(1)
             .suffix(" nm");
-        let response = ui.add(width).labelled_by(label.id).on_hover_text(format!(
-            "Full width of the band-pass at half its maximum, {least} to {most} nm. Its edges can be \
-             dragged in the chart too."
+        let response = ui.add(width).labelled_by(label.id).on_hover_text(tr!(
+            "Full width of the band-pass at half its maximum, {least} to {most} nm. Its edges can \
+             be dragged in the chart too.",
+            least = short(least),
+            most = short(most)
         ));
         if response.changed() {
             memory.filter = None;
         }
         ui.separator();
         let chosen = memory.filter.as_ref().and_then(|key| app.entry(key));
-        let meaning = "The Gaussian band-pass of this centre and width.";
+        let meaning = said!("The Gaussian band-pass of this centre and width.");
         if ui
-            .selectable_label(chosen.is_none(), names::GAUSSIAN)
+            .selectable_label(chosen.is_none(), said(names::GAUSSIAN))
             .on_hover_text(meaning)
             .clicked()
         {
             memory.filter = None;
         }
-        let says = chosen.as_ref().map_or("or a measured filter", |e| e.name());
+        let says = chosen
+            .as_ref()
+            .map_or(said!("or a measured filter"), |e| e.name());
         let chooser = Chooser {
-            name: names::FILTER,
-            meaning: "A measured filter or glass in the Gaussian's place: shipped or your own.",
+            name: said(names::FILTER),
+            meaning: said!(
+                "A measured filter or glass in the Gaussian's place: shipped or your own."
+            ),
             says,
             offers: transmittances,
             width: 150.0 * context.theme.scale,
@@ -190,21 +199,25 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
     ui.add_space(4.0);
     titled(
         ui,
-        "Behind measured filters and glasses",
-        names::COPY,
-        "Copies all filters with what the three are off by as a table.",
+        said!("Behind measured filters and glasses"),
+        said(names::COPY),
+        said!("Copies all filters with what the three are off by as a table."),
         || table.csv(),
     );
     if rows.is_empty() {
-        ui.weak("There are no filters.");
+        ui.weak(said!("There are no filters."));
         return;
     }
     let columns = kit::columns(&table, &[3.4, 1.1, 1.2, 1.2, 1.2]);
     let told = kit::rows(&table, |_, cells| {
         let name = &cells[0];
         [
-            format!("Filter {name}: {}", cells[2..].join(", ")),
-            format!("{name}\nClick to put it over the light."),
+            tr!(
+                "Filter {name}: {figures}",
+                name,
+                figures = cells[2..].join(", ")
+            ),
+            tr!("{name}\nClick to put it over the light.", name),
         ]
     });
     let memory = &mut context.pages.narrow;
@@ -234,36 +247,57 @@ fn fields(
     let (swatches, gain) = behind.swatches(figures);
     let own = percent(figures.luminance);
     let sentence = match second {
-        None => format!("{own} % of the luminance comes through."),
-        Some(second) => format!(
-            "{own} % of the luminance comes through, of {} {} %.",
-            second.name,
-            percent(second.luminance)
+        None => tr!("{own} % of the luminance comes through.", own),
+        Some(second) => tr!(
+            "{own} % of the luminance comes through, of {light} {share} %.",
+            own,
+            light = second.name,
+            share = percent(second.luminance)
         ),
     };
     ui.add(egui::Label::new(sentence).truncate())
-        .on_hover_text(format!("Shown {} times as bright as it is.", figure(gain)));
+        .on_hover_text(tr!(
+            "Shown {factor} times as bright as it is.",
+            factor = figure(gain)
+        ));
     ui.horizontal(|ui| {
         let spacing = 8.0;
         ui.spacing_mut().item_spacing.x = spacing;
         let count = if second.is_some() { 5.0 } else { 4.0 };
         let width = ((ui.available_width() - (count - 1.0) * spacing) / count).floor();
         let size = vec2(width, 30.0 * context.theme.scale);
-        let meaning = "Measured light, exact filter.";
+        let meaning = said!("Measured light, exact filter.");
         let words = second.map_or("", |_| &behind.light);
-        field(ui, size, &swatches[0], "exact", words, meaning);
+        field(ui, size, &swatches[0], said!("exact"), words, meaning);
         if let Some(second) = second {
-            let meaning = format!("{meaning} Both lights equally bright before the filter.");
-            field(ui, size, &second.swatch, "exact", &second.name, &meaning);
+            let meaning = tr!(
+                "{meaning} Both lights equally bright before the filter.",
+                meaning
+            );
+            field(
+                ui,
+                size,
+                &second.swatch,
+                said!("exact"),
+                &second.name,
+                &meaning,
+            );
         }
         for (way, colours) in figures.ways.iter().enumerate() {
             let words = format!("ΔE₀₀ {}", delta_e(colours.delta_e_2000));
             let luminance = colours.luminance_error.map_or_else(
-                || "no luminance to be off by".to_owned(),
-                |error| format!("luminance {:+.2} %", 100.0 * error),
+                || said!("no luminance to be off by").to_owned(),
+                |error| tr!("luminance {error} %", error = signed(100.0 * error, 2)),
             );
-            let meaning = format!("{}\n{words}, {luminance}.", WAY_MEANINGS[way]);
-            field(ui, size, &swatches[way + 1], WAYS[way], &words, &meaning);
+            let meaning = format!("{}\n{words}, {luminance}.", said(WAY_MEANINGS[way]));
+            field(
+                ui,
+                size,
+                &swatches[way + 1],
+                said(WAYS[way]),
+                &words,
+                &meaning,
+            );
         }
     });
     ui.add_space(4.0);
@@ -274,12 +308,16 @@ fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, mean
     ui.vertical(|ui| {
         ui.set_width(size.x);
         ui.spacing_mut().item_spacing.y = 1.0;
-        let told = format!("{name} behind the filter {words}");
+        let told = tr!(
+            "{name} behind the filter {difference}",
+            name,
+            difference = words
+        );
         let hex = colour.hex();
         let mapping = if colour.in_gamut {
             String::new()
         } else {
-            " The screen cannot show it; the nearest it can.".to_owned()
+            said!(" The screen cannot show it; the nearest it can.").to_owned()
         };
         let (rect, response) = drawing(ui, size, Sense::hover(), &told);
         let shown = swatch::colour(colour.rgb8);
@@ -287,7 +325,12 @@ fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, mean
         if !colour.in_gamut {
             swatch::out_of_gamut_mark(ui, rect);
         }
-        response.on_hover_text(format!("{meaning}\nsRGB {hex}.{mapping}"));
+        response.on_hover_text(tr!(
+            "{meaning}\nsRGB {hex}.{mapping}",
+            meaning,
+            hex,
+            mapping
+        ));
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.add(egui::Label::new(RichText::new(name).small()).truncate());

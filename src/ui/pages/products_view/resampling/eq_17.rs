@@ -9,6 +9,7 @@ use crate::{
         numbers::delta_e,
         ticks::short,
     },
+    languages::said,
     ui::{
         kit::{self, Row, titled},
         pages::PageContext,
@@ -21,33 +22,37 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
     let table = bench.spikes_table(context.app);
     titled(
         ui,
-        "The surface at each line, and the cost of reading it so",
-        names::COPY_SPIKES,
-        "Copies Eq. 17 at every line as a table.",
+        said!("The surface at each line, and the cost of reading it so"),
+        said(names::COPY_SPIKES),
+        said!("Copies Eq. 17 at every line as a table."),
         || table.csv(),
     );
     let costs = &bench.spikes;
     if costs.each.is_empty() {
-        ui.weak("This model has no lines.");
+        ui.weak(said!("This model has no lines."));
         return;
     }
-    ui.weak(
+    ui.weak(said!(
         "Costs are against the surface as measured: where the series is far off, a wrong reading \
-         may come out nearer by chance. The page \"The paper checked\" compares with the series.",
-    );
+         may come out nearer by chance. The page \"The paper checked\" compares with the series."
+    ));
     let mut rows = kit::rows(&table, |i, cells| {
         let weight = short(costs.each[i].0.spike.weight);
         [
-            format!("Line at {} nm", cells[0]),
-            format!("Weight of the line: {weight}.\n{EQ_17_COST}"),
+            tr!("Line at {place} nm", place = cells[0]),
+            tr!(
+                "Weight of the line: {weight}.\n{meaning}",
+                weight,
+                meaning = said(EQ_17_COST)
+            ),
         ]
     });
     let [series, corrected, printed] = costs.all;
     rows.push(Row {
-        name: "All lines".to_owned(),
-        note: "All lines read so at once.".to_owned(),
+        name: said!("All lines").to_owned(),
+        note: said!("All lines read so at once.").to_owned(),
         cells: vec![
-            "all".to_owned(),
+            said!("all").to_owned(),
             String::new(),
             String::new(),
             String::new(),

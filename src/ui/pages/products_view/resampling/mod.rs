@@ -18,6 +18,7 @@ use crate::{
         studies::{Stage, TimingAsk},
     },
     io::many::numbers,
+    languages::{fixed, said},
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
@@ -34,10 +35,10 @@ const WIDE: f32 = 1040.0;
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const FACTOR: &str = "Filter or surface";
-    pub const COPY: &str = "Copy as CSV";
-    pub const COPY_SPIKES: &str = "Copy lines as CSV";
-    pub const AGAIN: &str = "Measure again";
+    pub const FACTOR: &str = later!("Filter or surface");
+    pub const COPY: &str = later!("Copy as CSV");
+    pub const COPY_SPIKES: &str = later!("Copy lines as CSV");
+    pub const AGAIN: &str = later!("Measure again");
 }
 
 /// The part and what it keeps from frame to frame.
@@ -58,23 +59,26 @@ impl ResamplingView {
             Some(factor) => {
                 headlines::resampling(self.bench.get(revision, |_| Bench::of(app, factor)))
             }
-            None => "Choose what the light is multiplied by.".to_owned(),
+            None => said!("Choose what the light is multiplied by.").to_owned(),
         };
         headline(ui, context.theme, words);
         ui.add_space(GROUP);
         ui.horizontal_wrapped(|ui| {
-            surface_chooser(ui, context, names::FACTOR);
+            surface_chooser(ui, context, said(names::FACTOR));
             if let Some(bench) = self.bench.held().filter(|_| chosen.is_some()) {
-                ui.weak(format!(
-                    "{} in {}{}",
-                    bench.light,
-                    numbers(bench.sizes.numbers),
-                    match bench.sizes.spikes {
-                        0 => String::new(),
-                        1 => " and 1 line".to_owned(),
-                        many => format!(" and {many} lines"),
-                    }
-                ));
+                ui.weak(match bench.sizes.spikes {
+                    0 => tr!(
+                        "{light} in {numbers}",
+                        light = bench.light,
+                        numbers = numbers(bench.sizes.numbers)
+                    ),
+                    spikes => tr!(
+                        "{light} in {numbers} and {n} line"
+                            | "{light} in {numbers} and {n} lines" % spikes,
+                        light = bench.light,
+                        numbers = numbers(bench.sizes.numbers)
+                    ),
+                });
             }
         });
         let Some(factor) = chosen else {
@@ -133,7 +137,7 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
 fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
     let memory = &mut context.pages.resampling;
     ui.horizontal_wrapped(|ui| {
-        ui.label("Show");
+        ui.label(said!("Show"));
         for way in Sampling::ALL {
             // At 1 nm nothing is formed from series.
             if way == Sampling::Exact {
@@ -162,9 +166,9 @@ fn figures(
     ui.add_space(4.0);
     titled(
         ui,
-        "The same product by every way",
-        names::COPY,
-        "Copies the ways and their figures as a table.",
+        said!("The same product by every way"),
+        said(names::COPY),
+        said!("Copies the ways and their figures as a table."),
         || bench.table(app, times).csv(),
     );
     let ways = &bench.resampled.ways;
@@ -190,7 +194,9 @@ fn figures(
     }
     ui.add_space(2.0);
     if !bench.has_colour() {
-        ui.weak("There is no visible light in this range, so there is no colour to be off by.");
+        ui.weak(said!(
+            "There is no visible light in this range, so there is no colour to be off by."
+        ));
     }
     times_row(ui, context, times)
 }
@@ -201,41 +207,50 @@ const FOLDED: usize = 4;
 fn columns() -> Vec<Column> {
     vec![
         Column::words(
-            "way",
-            "Way of forming the product. Click a row to form all products so.",
+            said!("way"),
+            said!("Way of forming the product. Click a row to form all products so."),
             2.3,
         ),
         Column::numbers(
-            "points",
-            "Independent points, one multiplication each.",
+            said!("points"),
+            said!("Independent points, one multiplication each."),
             0.8,
         ),
         Column::numbers(
-            "ΔE₀₀ total",
-            "CIEDE2000 of the model's product against measured light times measured surface; the \
-             white is the light.",
+            said!("ΔE₀₀ total"),
+            said!(
+                "CIEDE2000 of the model's product against measured light times measured surface; \
+                 the white is the light."
+            ),
             1.25,
         ),
         Column::numbers(
-            "added",
-            "CIEDE2000 against the exact product of the very same series: the part that forming it \
-             adds.",
+            said!("added"),
+            said!(
+                "CIEDE2000 against the exact product of the very same series: the part that \
+                 forming it adds."
+            ),
             1.3,
         ),
         Column::numbers(
-            "folded",
-            "Alias meter: share of the product's power in waves that the points fold back, or that \
-             the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+            said!("folded"),
+            said!(
+                "Alias meter: share of the product's power in waves that the points fold back, or \
+                 that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %."
+            ),
             1.95,
         ),
         Column::numbers(
-            "mult.",
-            "Multiplications of one product: one a point, or one a pair of numbers, and one a line.",
+            said!("mult."),
+            said!(
+                "Multiplications of one product: one a point, or one a pair of numbers, and one a \
+                 line."
+            ),
             0.8,
         ),
         Column::numbers(
             "ns",
-            "Nanoseconds of one product, measured here and now: the median batch.",
+            said!("Nanoseconds of one product, measured here and now: the median batch."),
             0.85,
         ),
     ]
@@ -257,24 +272,24 @@ fn row(way: &Formed, times: Option<&[ProductTime]>) -> Row {
         time.map_or_else(|| "–".to_owned(), |time| whole(time.ns)),
     ];
     let range = time.map_or_else(String::new, |time| {
-        format!(
-            "\nMedian {} ns, batches from {} to {} ns.",
-            whole(time.ns),
-            whole(time.range_ns[0]),
-            whole(time.range_ns[1])
+        tr!(
+            "\nMedian {median} ns, batches from {least} to {most} ns.",
+            median = whole(time.ns),
+            least = whole(time.range_ns[0]),
+            most = whole(time.range_ns[1])
         )
     });
     Row {
-        name: format!(
-            "{}: ΔE₀₀ {}, added {}, folded {}",
-            way_name(way.sampling),
-            cells[2],
-            cells[3],
-            cells[4]
+        name: tr!(
+            "{way}: ΔE₀₀ {total}, added {added}, folded {folded}",
+            way = way_name(way.sampling),
+            total = cells[2],
+            added = cells[3],
+            folded = cells[4]
         ),
-        note: format!(
-            "{}{range}\nClick to form all products so.",
-            way_meaning(way.sampling)
+        note: tr!(
+            "{meaning}\nClick to form all products so.",
+            meaning = format!("{}{range}", way_meaning(way.sampling))
         ),
         cells,
         ..Row::default()
@@ -284,9 +299,9 @@ fn row(way: &Formed, times: Option<&[ProductTime]>) -> Row {
 /// Nanoseconds in few digits.
 fn whole(ns: f64) -> String {
     if ns < 10.0 {
-        format!("{ns:.1}")
+        fixed(ns, 1)
     } else {
-        format!("{ns:.0}")
+        fixed(ns, 0)
     }
 }
 
@@ -326,37 +341,40 @@ fn alias_meter(ui: &Ui, cell: Rect, share: f64, theme: Theme) {
 /// How the times were measured, and the button to do so again.
 fn times_row(ui: &mut Ui, context: &mut PageContext<'_>, times: Option<&[ProductTime]>) -> bool {
     if context.quiet {
-        ui.weak("Times are measured in the window; a picture leaves them out.");
+        ui.weak(said!(
+            "Times are measured in the window; a picture leaves them out."
+        ));
         return false;
     }
     let mut again = false;
     line(ui, |ui| {
         let job = context.studies.of::<TimingAsk>();
         if job.stage() != Stage::Done {
-            progress(ui, job, "Time of a product");
+            progress(ui, job, said!("Time of a product"));
             return;
         }
-        let meaning = "Measures the times of all ways once more, for about a tenth of a second.";
-        again = pressed_small(ui, names::AGAIN, meaning);
+        let meaning =
+            said!("Measures the times of all ways once more, for about a tenth of a second.");
+        again = pressed_small(ui, said(names::AGAIN), meaning);
         if times.is_some() {
-            ui.add(egui::Label::new(RichText::new(HOW_SHORT).weak()).truncate())
+            ui.add(egui::Label::new(RichText::new(said(HOW_SHORT)).weak()).truncate())
                 .on_hover_text(how());
         }
     });
     again
 }
 
-const HOW_SHORT: &str = "ns: one product in this process, values already on their points.";
+const HOW_SHORT: &str = later!("ns: one product in this process, values already on their points.");
 
 fn how() -> String {
-    format!(
+    tr!(
         "Measured by this program on this machine: the multiplications alone, with the values \
          already on their points and the surface already read at the lines, all in the cache, on \
-         one thread. A convolution includes the memory for its result. After {} ms of warm-up each \
-         way is timed in {} batches of at least {} µs, the ways taking turns; the median batch is \
-         told. Other work on the machine shows.",
-        timing::WARM_UP.as_millis(),
-        timing::BATCHES,
-        timing::BATCH.as_micros(),
+         one thread. A convolution includes the memory for its result. After {warm_up} ms of \
+         warm-up each way is timed in {batches} batches of at least {least} µs, the ways taking \
+         turns; the median batch is told. Other work on the machine shows.",
+        warm_up = timing::WARM_UP.as_millis(),
+        batches = timing::BATCHES,
+        least = timing::BATCH.as_micros()
     )
 }
