@@ -54,7 +54,8 @@
 //!
 //! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, photographs,
 //! pictures, live} -> study -> {rivals, color} -> {spectrum, preset}`, and
-//! `{pictures, live, app} -> {io, streams} -> spectrum`, `streams -> io`, `{ui, cli, app} -> languages`.
+//! `{pictures, live, app} -> {io, streams} -> spectrum`, `streams -> io`; every room may
+//! speak (`languages`).
 //! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its

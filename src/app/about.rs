@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
-        io::many::capitalised,
-    languages::said,
+    io::many::capitalised,
+    languages::{said, translated},
     measurements::{Figure, counts_sign},
     spectrum::{Kind, Sampled},
 };
@@ -123,7 +123,7 @@ fn doubt_words(entry: &Entry) -> String {
     if told.is_empty() {
         return String::new();
     }
-        let figures = told.join(", ");
+    let figures = told.join(", ");
     match entry.measured.as_ref().and_then(|of| of.scans) {
         Some(scans) if scans > 1 => tr!("{figures} ({scans} scans).", figures, scans),
         _ => format!("{figures}."),
@@ -137,7 +137,7 @@ fn table_words(entry: &Entry) -> String {
     let steps = steps_words(&entry.spectrum.samples);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
-                        let table_of = capitalised(&table.of);
+            let table_of = capitalised(&table.of);
             match table.from_nm {
                 Some(nm) => tr!("{table_of}, {steps} from {nm} nm data", table_of, steps, nm),
                 None => format!("{table_of}, {steps}"),
@@ -147,18 +147,26 @@ fn table_words(entry: &Entry) -> String {
         None if entry.spectrum.source.starts_with("made ") => {
             format!("{}, {steps}", capitalised(&entry.spectrum.source))
         }
-        None => tr!("From {source}, {steps}", source = entry.spectrum.source, steps),
+        None => tr!(
+            "From {source}, {steps}",
+            source = entry.spectrum.source,
+            steps
+        ),
     }
 }
 
 /// "1 nm", "0.5 to 1 nm".
 fn steps_words(samples: &Sampled) -> String {
     if samples.has_even_steps() {
-                return format!("{} nm", short(samples.step_nm()));
+        return format!("{} nm", short(samples.step_nm()));
     }
     let steps = samples.nm().windows(2).map(|w| w[1] - w[0]);
     let [least, most] = extent(steps).unwrap_or_default();
-        tr!("{least} to {most} nm", least = short(least), most = short(most))
+    tr!(
+        "{least} to {most} nm",
+        least = short(least),
+        most = short(most)
+    )
 }
 
 /// The family of an entry: of a shipped one as it is written, of the user's own light as far as

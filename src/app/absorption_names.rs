@@ -15,8 +15,10 @@
 //! splib07a: 386, 420, 451, 486, 538, 638 nm), hence the wide reach. Neodymium's are the bands of
 //! didymium glass that praseodymium has no part in.
 
-use crate::languages::fixed;
-use crate::spectrum::{Band, Basis, Kind};
+use crate::{
+    languages::fixed,
+    spectrum::{Band, Basis, Kind},
+};
 
 use super::{entry::Entry, line_names::LineName};
 
@@ -364,25 +366,25 @@ impl DarkFamily {
         // for each order, Fourier's a whole one.
         let turns = basis.half_turns() as f64;
         let order = (curve.band.length_nm() / (turns * narrowest)).ceil();
-                let order = order.is_finite().then(|| fixed(order, 0));
+        let order = order.is_finite().then(|| fixed(order, 0));
         Some(match (self.title, order) {
             (NEODYMIUM_TITLE, Some(order)) => tr!(
-                "The dips of neodymium are bands, not lines, and lines do not fit them. More waves \
-                 follow them, from about {order} waves on.",
+                "The dips of neodymium are bands, not lines, and lines do not fit them. More \
+                 waves follow them, from about {order} waves on.",
                 order
             ),
             (NEODYMIUM_TITLE, None) => tr!(
-                "The dips of neodymium are bands, not lines, and lines do not fit them. More waves \
-                 follow them."
+                "The dips of neodymium are bands, not lines, and lines do not fit them. More \
+                 waves follow them."
             ),
             (_, Some(order)) => tr!(
-                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More waves \
-                 follow them, from about {order} waves on.",
+                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More \
+                 waves follow them, from about {order} waves on.",
                 order
             ),
             (_, None) => tr!(
-                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More waves \
-                 follow them."
+                "The dips of holmium oxide are bands, not lines, and lines do not fit them. More \
+                 waves follow them."
             ),
         })
     }

@@ -1,7 +1,6 @@
 //! What a person wants to know of a model at first sight, in words and few figures: can one see
 //! the difference, how few numbers are they, from which order on is it hard to see.
 
-use crate::languages::{fixed, signed};
 use super::{
     document::FIRST_PATCH_SET,
     line_names::LineName,
@@ -13,7 +12,8 @@ use super::{
 };
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
-        spectrum::{Kind, Line, detect},
+    languages::{fixed, signed},
+    spectrum::{Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
@@ -43,16 +43,12 @@ impl Worst {
 
 /// The verdict on the model, with its subject: "Model and light look alike".
 pub fn verdict_alone(app: &App, seen: Seen) -> String {
-    seen.verdict(match app.document().subject_entry().kind() {
-        Kind::Reflectance => "surface",
-        Kind::Transmittance => "filter",
-        _ => "light",
-    })
+    seen.verdict(app.document().subject_entry().kind())
 }
 
 /// The same with what it was judged on: "Model and light look alike, judged on 24 shipped surfaces".
 pub fn verdict(app: &App, seen: Seen) -> String {
-        tr!(
+    tr!(
         "{verdict}, judged {judged_on}",
         verdict = verdict_alone(app, seen),
         judged_on = judged_on(app)
@@ -67,7 +63,7 @@ pub fn judged_on(app: &App) -> String {
         return said!("on its own colour alone").to_owned();
     };
     let set = document.patch_set.as_str();
-        let count = patches.items.len();
+    let count = patches.items.len();
     match (document.patches_of_own().count(), set == FIRST_PATCH_SET) {
         (0, true) => tr!("on {n} shipped surface" | "on {n} shipped surfaces" % count),
         (0, false) => tr!(
@@ -75,14 +71,13 @@ pub fn judged_on(app: &App) -> String {
             set = set_title(set)
         ),
         (own, true) => tr!(
-            "on {n} surface, {own} of them your own" | "on {n} surfaces, {own} of them your own"
-                % count,
+            "on {n} surface, {own} of them your own"
+                | "on {n} surfaces, {own} of them your own" % count,
             own
         ),
         (own, false) => tr!(
             "on {n} surface ({set}), {own} of them your own"
-                | "on {n} surfaces ({set}), {own} of them your own"
-                % count,
+                | "on {n} surfaces ({set}), {own} of them your own" % count,
             set = set_title(set),
             own
         ),
@@ -93,7 +88,7 @@ pub fn judged_on(app: &App) -> String {
 pub fn of_how_many(app: &App) -> String {
     let patches = app.derived().patches.as_ref();
     patches.map_or_else(String::new, |patches| {
-                tr!(" of {count}", count = patches.items.len())
+        tr!(" of {count}", count = patches.items.len())
     })
 }
 
@@ -105,7 +100,7 @@ pub fn set_title(id: &str) -> String {
         "cri_tcs" => said!("CRI test colours"),
         "nist_cqs_vs" => said!("NIST CQS samples"),
         "pmc_chart" => said!("Memory colours"),
-                "aces_training_190" => "AMPAS 190",
+        "aces_training_190" => "AMPAS 190",
         "metals_refractiveindex" => said!("Metals"),
         "usgs_splib07" => said!("USGS materials"),
         "filters_glass_cc0" => said!("Filter glasses"),
@@ -148,9 +143,15 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     let weight = short(three(app.scale_factor() * spike.weight));
     let unit = match app.unit() {
         "" => "nm".to_owned(),
-                unit => format!("{unit} x nm"),
+        unit => format!("{unit} x nm"),
     };
-    let mut words = tr!("line {at_nm} nm{name}   {weight} {unit}", at_nm = fixed(spike.at_nm, 1), name, weight, unit);
+    let mut words = tr!(
+        "line {at_nm} nm{name}   {weight} {unit}",
+        at_nm = fixed(spike.at_nm, 1),
+        name,
+        weight,
+        unit
+    );
     if let Some(share) = derived.parts.share(spike.weight) {
         words += &tr!("   {share} % of the power", share = fixed(100.0 * share, 1));
     }
@@ -284,13 +285,13 @@ pub fn as_in_the_paper(app: &App) -> Settings {
 pub fn lines_words(app: &App) -> String {
     let settings = app.document().settings;
     if !settings.spikes {
-                return said!("off").to_owned();
+        return said!("off").to_owned();
     }
     if app.document().as_given().is_some() {
         return said!("as given, without a search").to_owned();
     }
     match settings.detector {
-                Detector::Energy => tr!(
+        Detector::Energy => tr!(
             "above {share} % of the power",
             share = short(settings.threshold_percent)
         ),

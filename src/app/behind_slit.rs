@@ -3,7 +3,7 @@
 
 use super::{answers::Worst, numbers::two_digits, state::App, verdicts::Seen};
 use crate::{
-        color::{Srgb, srgb_of_fill},
+    color::{Srgb, srgb_of_fill},
     languages::fixed,
     spectrum::Band,
     study::Measure,
@@ -30,7 +30,7 @@ impl BehindSlit {
     pub fn percent(&self) -> String {
         let percent = 100.0 * self.off;
         match percent < 0.01 {
-                        true => format!("< {}", fixed(0.01, 2)),
+            true => format!("< {}", fixed(0.01, 2)),
             false => two_digits(percent),
         }
     }
@@ -69,20 +69,21 @@ pub fn without_lines(app: &App, left_out: &[f64]) -> Option<String> {
     }
     let behind = BehindSlit::of(app)?;
     let worst = Worst::of(app)?;
-        let share = behind.percent();
+    let share = behind.percent();
     Some(match (Seen::of(worst.delta_e_2000), behind.step) {
         (Seen::Hardly, Seen::Hardly) => tr!(
-            "The eye hardly notices, and an instrument sees only {share} % of error behind a 10 nm \
-             slit.",
+            "The eye hardly notices, and an instrument sees only {share} % of error behind a 10 \
+             nm slit.",
             share
         ),
         (Seen::Hardly, _) => tr!(
-            "The eye hardly notices, but an instrument sees {share} % of error behind a 10 nm slit.",
+            "The eye hardly notices, but an instrument sees {share} % of error behind a 10 nm \
+             slit.",
             share
         ),
         (Seen::SideBySide, _) => tr!(
-            "The eye notices only side by side; an instrument sees {share} % of error behind a 10 nm \
-             slit.",
+            "The eye notices only side by side; an instrument sees {share} % of error behind a 10 \
+             nm slit.",
             share
         ),
         (Seen::Visible | Seen::Large, _) => tr!(

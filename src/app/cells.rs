@@ -26,7 +26,7 @@ pub fn cell(value: impl Into<Value>) -> Cell {
     let shown = match &value {
         Value::Null => or_dash(None, |_| String::new()),
         Value::String(text) => text.clone(),
-                value => with_sign(filed(value)),
+        value => with_sign(filed(value)),
     };
     Cell {
         value,
@@ -39,7 +39,7 @@ pub fn cell(value: impl Into<Value>) -> Cell {
 pub fn rounded(value: impl Into<Option<f64>>, digits: usize, otherwise: &str) -> Cell {
     let value = value.into().filter(|value| value.is_finite());
     let text = value.map_or_else(|| otherwise.to_owned(), |v| format!("{v:.digits$}"));
-        Cell {
+    Cell {
         filed: Some(text.clone()),
         ..cell(value).shown(with_sign(text))
     }
@@ -55,7 +55,7 @@ impl Cell {
     }
 
     fn filed(&self) -> String {
-                self.filed.clone().unwrap_or_else(|| filed(&self.value))
+        self.filed.clone().unwrap_or_else(|| filed(&self.value))
     }
 }
 

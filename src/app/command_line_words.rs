@@ -24,7 +24,9 @@ use crate::{
 pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Result<String, String> {
     let document = app.document();
     if !document.subject_edits().is_empty() {
-        return Err(said!("Lines were changed by hand: save the project and name its file.").to_owned());
+        return Err(
+            said!("Lines were changed by hand: save the project and name its file.").to_owned(),
+        );
     }
     let settings = document.settings;
     if settings.detector == Detector::Gradient {
@@ -35,9 +37,11 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
     if subject.kind() != Kind::Light {
         let light = words_of(&document.light)?;
         if light.contains(" --spectrum ") {
-            return Err(said!("The command line takes a light from a file of its own only.").to_owned());
+            return Err(
+                said!("The command line takes a light from a file of its own only.").to_owned(),
+            );
         }
-                about += &format!(" --light {light}");
+        about += &format!(" --light {light}");
     }
     // A composite as it is has its own series, range and lines; any option would analyse it.
     let options = match document.as_given() {
@@ -48,10 +52,10 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
                 || settings.observer != usual.observer
                 || settings.sampling != usual.sampling
             {
-                return Err(
-                    said!("A composite as it is takes no options: save the project and name its file.")
-                        .to_owned(),
-                );
+                return Err(said!(
+                    "A composite as it is takes no options: save the project and name its file."
+                )
+                .to_owned());
             }
             String::new()
         }
@@ -69,13 +73,13 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
                     said!("The command line takes a light from a file of its own only.").to_owned(),
                 );
             }
-                        format!(" --against {words}")
+            format!(" --against {words}")
         }
         None => String::new(),
     };
     let theme = if dark { "dark" } else { "light" };
     let [width, height] = size;
-        Ok(format!(
+    Ok(format!(
         "spectral-explorer report {about}{options}\nspectral-explorer render {about}{options}{against} \
          --page {} --size {width}x{height} --theme {theme} --out view.png",
         page.word()
@@ -85,7 +89,7 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
 /// What finds an entry again on the command line: its word, and which spectrum of a file it is.
 fn words_of(entry: &Entry) -> Result<String, String> {
     let in_no_file = || {
-                tr!(
+        tr!(
             "{name} is in no file: save it, or the project, and name that file.",
             name = entry.name()
         )
@@ -97,7 +101,7 @@ fn words_of(entry: &Entry) -> Result<String, String> {
     };
     let file = &from.reading.file;
     if from.reading.choices != Choices::default() {
-                return Err(tr!(
+        return Err(tr!(
             "How {file} is read was decided by hand: save the project and name its file.",
             file = file.name
         ));
@@ -106,7 +110,7 @@ fn words_of(entry: &Entry) -> Result<String, String> {
     let path = quoted(&path.display().to_string());
     Ok(match from.reading.spectra {
         1 => path,
-                _ => format!("{path} --spectrum {}", from.index + 1),
+        _ => format!("{path} --spectrum {}", from.index + 1),
     })
 }
 
@@ -147,7 +151,7 @@ fn options(settings: Settings) -> String {
         value(option, now, usual)
     });
     let flag = |is_said: bool, option: &str| is_said.then(|| format!(" --{option}"));
-        let ends = || [band.min_nm(), band.max_nm()].map(short);
+    let ends = || [band.min_nm(), band.max_nm()].map(short);
     let [least, most] = in_language(Language::English, ends);
     let said = [
         value("basis", basis.word(), usual.basis.word()),
@@ -155,7 +159,7 @@ fn options(settings: Settings) -> String {
         flag(!spikes, "no-spikes"),
         flag(wide_lines, "wide-lines"),
         flag(dips, "dips"),
-                flag(band != usual.band, &format!("range {least}:{most}")),
+        flag(band != usual.band, &format!("range {least}:{most}")),
         (observer != usual.observer).then(|| {
             let own = || quoted(observer.source());
             let word = if observer.is_shipped() {
@@ -163,7 +167,7 @@ fn options(settings: Settings) -> String {
             } else {
                 own()
             };
-                        format!(" --observer {word}")
+            format!(" --observer {word}")
         }),
         value("sampling", sampling.word(), usual.sampling.word()),
     ];

@@ -85,9 +85,17 @@ impl Export {
             Self::SpectrumJson => [later!("Measured spectrum (JSON)"), "", "json"],
             Self::PatchesCsv => [later!("Surfaces (CSV)"), "-patches", "csv"],
             Self::SpikesCsv => [later!("Lines (CSV)"), "-spikes", "csv"],
-            Self::CurveCsv => [later!("Error against waves (CSV)"), "-error-against-order", "csv"],
+            Self::CurveCsv => [
+                later!("Error against waves (CSV)"),
+                "-error-against-order",
+                "csv",
+            ],
             Self::PlotSvg => [later!("Plot (SVG)"), "", "svg"],
-            Self::CurveSvg => [later!("Error against waves (SVG)"), "-error-against-order", "svg"],
+            Self::CurveSvg => [
+                later!("Error against waves (SVG)"),
+                "-error-against-order",
+                "svg",
+            ],
             Self::SheetSvg => [later!("Sheet about the light (SVG)"), "-sheet", "svg"],
             Self::Project => [later!("Project"), "-project", "json"],
         }

@@ -137,7 +137,7 @@ impl Told {
 
     /// The figure in a word or two.
     pub fn name(&self) -> &'static str {
-        match self.figure.title {
+        match self.figure.title() {
             "" => self.figure.key,
             title => title,
         }

@@ -15,6 +15,7 @@ use super::{
     products::{KnownLines, Link, ModelledLight},
     report::settings_json,
     state::App,
+    ticks::short,
 };
 use crate::{
     color::{Xyz, srgb::Swatch},

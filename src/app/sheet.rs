@@ -252,7 +252,12 @@ impl Page {
             } else {
                 ""
             };
-            let told = [first.figure.title, &first.shown(), &other.shown(), reading];
+            let told = [
+                first.figure.title(),
+                &first.shown(),
+                &other.shown(),
+                reading,
+            ];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.
                 let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);

@@ -221,15 +221,13 @@ impl App {
         let gesture = command.gesture();
         match command {
             Command::Undo => {
-                let words = self
-                    .undo_words()
-                    .map(|words| tr!("Undone: {words}.", words));
+                let words = self.undo_words();
+                let words = words.map(|words| tr!("Undone: {words}.", words));
                 return self.step(History::undo, words, said!("Nothing to undo."));
             }
             Command::Redo => {
-                let words = self
-                    .redo_words()
-                    .map(|words| tr!("Redone: {words}.", words));
+                let words = self.redo_words();
+                let words = words.map(|words| tr!("Redone: {words}.", words));
                 return self.step(History::redo, words, said!("Nothing to redo."));
             }
             Command::ImageIsBack(image) => return self.image_is_back(&image),
@@ -405,6 +403,12 @@ impl App {
                 );
             }
         }
+    }
+
+    /// Makes anew what has words in it: another language is spoken from now on.
+    pub fn say_anew(&mut self) {
+        self.told = None;
+        self.recompute(Kept::AllOrders);
     }
 
     /// Derives what cannot be the same any more.

@@ -10,6 +10,7 @@ use super::{
     settings::Settings,
     ticks::short,
 };
+use crate::spectrum::Basis;
 
 /// From one document to the next: "waves 7 to 24", "light FL2 to CIE D65".
 pub(super) fn difference(before: &Document, after: &Document) -> String {
@@ -140,7 +141,11 @@ fn of_settings(before: Settings, after: Settings) -> Vec<String> {
     let knobs = Settings::KNOBS.map(|(_, knob)| moved_words(&[knob], &before, &after));
     let mut words: Vec<String> = knobs.into_iter().flatten().collect();
     if before.basis != after.basis {
-        words.push(tr!("{basis} series", basis = after.basis.word()));
+        let series = match after.basis {
+            Basis::Fourier => said!("fourier series"),
+            Basis::Cosine => said!("cosine series"),
+        };
+        words.push(series.to_owned());
     }
     if before.band != after.band {
         let band = after.band;

@@ -15,10 +15,7 @@
 //!
 //! Ra and Rf are means: their words speak of the mean, and the worst sample stands beside them.
 
-use crate::{
-    languages::said,
-    {languages::said, spectrum::Kind, study::products::MATCH_DELTA_E},
-};
+use crate::{languages::said, spectrum::Kind, study::products::MATCH_DELTA_E};
 
 /// How large a difference is: of colours to the eye, of spectra to an instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -255,10 +252,12 @@ pub enum Looks {
     LittleOff,
     /// From 50.
     Off,
+    /// Below.
     Wrong,
 }
 
 impl Looks {
+    /// How a test colour of an index looks.
     pub fn of(index: f64) -> Self {
         match index {
             i if i >= 90.0 => Self::Right,
@@ -409,7 +408,7 @@ mod tests {
 
     #[test]
     fn borders_fall_and_every_figure_has_words() {
-        for borders in [OF_RF, OF_RA, OF_RG, OF_SAMPLE, OF_SSI, HUES, OF_CCT] {
+        for borders in [OF_RF, OF_RA, OF_RG, OF_SAMPLE, HUES, OF_CCT] {
             assert!(borders.windows(2).all(|pair| pair[0].0 > pair[1].0));
             for figure in [-1e300, -1.0, 50.0, 575.0, 1e300, f64::NAN] {
                 assert!(!reached(borders, figure).is_empty());

@@ -36,8 +36,8 @@ impl Adaptation {
     /// In words for people.
     pub fn words(self) -> &'static str {
         match self {
-            Self::None => "as seen beside daylight",
-            Self::ToLight => "as the eye sees it after a minute",
+            Self::None => said!("as seen beside daylight"),
+            Self::ToLight => said!("as the eye sees it after a minute"),
         }
     }
 }

@@ -11,6 +11,8 @@
 
 use std::sync::LazyLock;
 
+use crate::languages::fixed;
+
 use super::{
     blackbody,
     chromaticity::uv_1960_from_xyz,
@@ -58,22 +60,32 @@ pub struct Cct {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NoCct {
     /// There is no chromaticity to begin with.
-    #[error("no CCT: there is no visible light")]
+    #[error("{}", said!("no CCT: there is no visible light"))]
     NoLight,
     /// Farther than `FARTHEST_DUV` from the blackbodies of every temperature.
     #[error(
-        "no CCT: the colour is {:.3} from the blackbody locus, more than {FARTHEST_DUV}",
-        duv.abs()
+        "{}",
+        tr!(
+            "no CCT: the colour is {duv} from the blackbody locus, more than {most}",
+            duv = fixed(duv.abs(), 3),
+            most = fixed(FARTHEST_DUV, 2)
+        )
     )]
     TooFar {
         /// The distance from the nearest of them, with its sign.
         duv: f64,
     },
     /// Redder than a blackbody at `COLDEST_K`.
-    #[error("no CCT: redder than a blackbody at {COLDEST_K} K")]
+    #[error(
+        "{}",
+        tr!("no CCT: redder than a blackbody at {kelvin} K", kelvin = fixed(COLDEST_K, 0))
+    )]
     TooCold,
     /// Bluer than a blackbody at `HOTTEST_K`.
-    #[error("no CCT: bluer than a blackbody at {HOTTEST_K} K")]
+    #[error(
+        "{}",
+        tr!("no CCT: bluer than a blackbody at {kelvin} K", kelvin = fixed(HOTTEST_K, 0))
+    )]
     TooHot,
 }
 

@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::weights::Weights;
 use crate::{
+    languages::with_sign,
     preset,
     spectrum::{Band, Outside, Sampled},
 };
@@ -53,22 +54,37 @@ const CIE: [[&str; 4]; 4] = [
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ObserverError {
     /// The three functions do not share two whole nm, or more than any table has.
-    #[error("found {found} whole nm that all three functions cover, expected 2 to {MOST_NM}")]
+    #[error(
+        "{}",
+        tr!(
+            "found {found} whole nm that all three functions cover, expected 2 to {most_nm}",
+            found, most_nm = MOST_NM
+        )
+    )]
     Points {
         /// Number of whole nm they share.
         found: usize,
     },
     /// A value is no finite number.
-    #[error("found a value that is no finite number, expected numbers")]
+    #[error("{}", said!("found a value that is no finite number, expected numbers"))]
     NotFinite,
     /// Nothing weighs luminance.
-    #[error("the second function sums to {sum}, expected more than 0: it weighs luminance")]
+    #[error(
+        "{}",
+        tr!(
+            "the second function sums to {sum}, expected more than 0: it weighs luminance",
+            sum = with_sign(sum.to_string())
+        )
+    )]
     Dark {
         /// Its sum over the table, nm.
         sum: f64,
     },
     /// The list is full.
-    #[error("found more than {MOST_OWN} observers of one's own in one run")]
+    #[error(
+        "{}",
+        tr!("found more than {most_own} observers of one's own in one run", most_own = MOST_OWN)
+    )]
     TooMany,
 }
 

@@ -131,7 +131,13 @@ impl fmt::Display for Srgb {
 
 /// A text that is not `#rrggbb`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("colour: expected #rrggbb with six hexadecimal digits, found {found:?}")]
+#[error(
+    "{}",
+    tr!(
+        "colour: expected #rrggbb with six hexadecimal digits, found {found}",
+        found = format!("{found:?}")
+    )
+)]
 pub struct NotHex {
     /// The text.
     pub found: String,
@@ -179,9 +185,13 @@ impl Mapping {
         match self {
             Self::ScaledToMaximum => later!("negative channels to 0, scaled by the largest"),
             Self::Clipped => later!("relative to the light's Y, channels cut to 0-1"),
-            Self::AdaptedAndClipped => later!("adapted to the light (Bradford), channels cut to 0-1"),
+            Self::AdaptedAndClipped => {
+                later!("adapted to the light (Bradford), channels cut to 0-1")
+            }
             Self::TooNarrowToAdapt => {
-                later!("the light is too narrow to adapt to: relative to its Y, channels cut to 0-1")
+                later!(
+                    "the light is too narrow to adapt to: relative to its Y, channels cut to 0-1"
+                )
             }
             Self::Exposed => later!("by the picture's exposure, channels cut to 0-1"),
             Self::NoLight => later!("no light: black"),

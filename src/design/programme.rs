@@ -41,13 +41,13 @@ const MOST_STEPS: usize = 4000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub(super) enum End {
     /// Nothing satisfies the equations and bounds.
-    #[error("nothing satisfies the equations and bounds")]
+    #[error("{}", said!("nothing satisfies the equations and bounds"))]
     Impossible,
     /// The sum grows without bound.
-    #[error("the sum grows without bound")]
+    #[error("{}", said!("the sum grows without bound"))]
     Endless,
     /// The way there ended for rounding or for patience: the best may be another.
-    #[error("rounding or patience ended the search")]
+    #[error("{}", said!("rounding or patience ended the search"))]
     Stuck,
 }
 

@@ -20,14 +20,14 @@ pub(crate) fn of_text(file_bytes: usize) -> usize {
 }
 
 /// The limits in words, for refusals.
-pub(crate) const WORDS: &str = "at most 512 MiB of memory, or 20 times the file's size";
+pub(crate) const WORDS: &str = later!("at most 512 MiB of memory, or 20 times the file's size");
 /// The same of [`of_text`].
-pub(crate) const TEXT_WORDS: &str = "at most 16 MiB of memory and 20 times the file's size";
+pub(crate) const TEXT_WORDS: &str = later!("at most 16 MiB of memory and 20 times the file's size");
 
 /// A size in the unit that suits it.
 pub(crate) fn in_words(bytes: usize) -> String {
     match bytes {
-        0..=9_999 => format!("{bytes} bytes"),
+        0..=9_999 => tr!("{n} byte" | "{n} bytes" % bytes),
         10_000..=9_999_999 => format!("{} KiB", bytes >> 10),
         _ => format!("{} MiB", bytes >> 20),
     }

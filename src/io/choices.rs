@@ -116,12 +116,12 @@ impl Counted {
     /// In a word or two.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Fraction => "fraction",
-            Self::Percent => "percent",
-            Self::TenThousandths => "fraction x 10000",
-            Self::SixteenBits => "fraction x 65535",
-            Self::EightBits => "fraction x 255",
-            Self::Otherwise => "as the file states",
+            Self::Fraction => later!("fraction"),
+            Self::Percent => later!("percent"),
+            Self::TenThousandths => later!("fraction x 10000"),
+            Self::SixteenBits => later!("fraction x 65535"),
+            Self::EightBits => later!("fraction x 255"),
+            Self::Otherwise => later!("as the file states"),
         }
     }
 }

@@ -18,7 +18,7 @@ const LONGEST_PART: usize = 300;
 ///
 /// The message is always one line: `lamp.csv, line 12: found "abc", expected a number in column 2`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{file}{}: found {found}, expected {expected}", line_words(*line))]
+#[error("{}", refusal_words(file, *line, found, expected))]
 pub struct ReadError {
     /// Name of the file: without its folder, unless [`ReadError::at`] was told where it lies.
     pub file: String,
@@ -59,8 +59,22 @@ impl ReadError {
     }
 }
 
-fn line_words(line: Option<usize>) -> String {
-    line.map_or(String::new(), |line| format!(", line {line}"))
+fn refusal_words(file: &str, line: Option<usize>, found: &str, expected: &str) -> String {
+    match line {
+        Some(line) => tr!(
+            "{file}, line {line}: found {found}, expected {expected}",
+            file,
+            line,
+            found,
+            expected
+        ),
+        None => tr!(
+            "{file}: found {found}, expected {expected}",
+            file,
+            found,
+            expected
+        ),
+    }
 }
 
 /// A file that could not be written, and why, in one line.

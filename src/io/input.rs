@@ -86,8 +86,8 @@ impl<'a> Input<'a> {
     pub(crate) fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
         if self.bytes.len() > text::MOST_BYTES_OF_A_FORMAT {
             return Err(self.error(
-                "more than 64 MiB",
-                "at most 64 MiB in an instrument's own format",
+                said!("more than 64 MiB"),
+                said!("at most 64 MiB in an instrument's own format"),
             ));
         }
         self.needs_long_text()
@@ -100,7 +100,7 @@ impl<'a> Input<'a> {
     pub(crate) fn needs_long_text(&self) -> Result<&Text<'a>, ReadError> {
         self.is_read_as_text.set(true);
         self.text()
-            .ok_or_else(|| self.error("binary data", "a text file"))
+            .ok_or_else(|| self.error(said!("binary data"), said!("a text file")))
     }
 
     /// The oddities of the text, a sentence each; empty where a format read the bytes themselves,

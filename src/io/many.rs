@@ -7,7 +7,7 @@ pub fn many(count: usize, one: &str, several: &str) -> String {
 
 /// A count of a model's numbers.
 pub fn numbers(count: usize) -> String {
-    many(count, "number", "numbers")
+    tr!("{n} number" | "{n} numbers" % count)
 }
 
 /// Words with a large first letter.

@@ -37,6 +37,8 @@ pub(crate) mod stream;
 use std::io::Read;
 use std::path::Path;
 
+use crate::languages::said;
+
 pub(crate) use choices::OfOne;
 pub use choices::{Choices, Counted};
 pub use decode::png::{ColourPixels, ColourPng};
@@ -83,8 +85,8 @@ pub(crate) use write::{
 };
 
 /// The description of a file beyond [`text::MOST_BYTES`].
-const TOO_LARGE: &str = "more than 512 MiB";
-const AT_MOST: &str = "at most 512 MiB in one file";
+const TOO_LARGE: &str = later!("more than 512 MiB");
+const AT_MOST: &str = later!("at most 512 MiB in one file");
 
 /// Reads a file from disk.
 ///
@@ -112,13 +114,13 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         let file = disk::open(path).map_err(trouble)?;
         let about = file.metadata().map_err(trouble)?;
         if about.is_dir() {
-            return Err(ReadError::new(&name, "a folder", "a file"));
+            return Err(ReadError::new(&name, said!("a folder"), said!("a file")));
         }
         if is_device(&file, &about) {
-            return Err(ReadError::new(&name, "a device", "a file"));
+            return Err(ReadError::new(&name, said!("a device"), said!("a file")));
         }
         if about.len() > text::MOST_BYTES {
-            return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
+            return Err(ReadError::new(&name, said(TOO_LARGE), said(AT_MOST)));
         }
         let mut bytes = Vec::with_capacity(about.len() as usize);
         file.take(text::MOST_BYTES + 1)
@@ -161,10 +163,10 @@ pub fn read_bytes_as(name: &str, bytes: &[u8], choices: &Choices) -> Result<Read
 
 pub(crate) fn read(input: &Input) -> Result<Reading, ReadError> {
     if input.bytes.len() as u64 > text::MOST_BYTES {
-        return Err(input.error(TOO_LARGE, AT_MOST));
+        return Err(input.error(said(TOO_LARGE), said(AT_MOST)));
     }
     if input.bytes.is_empty() {
-        return Err(input.error("an empty file", "a spectrum"));
+        return Err(input.error(said!("an empty file"), said!("a spectrum")));
     }
     let mut best = (Confidence::No, None);
     for format in FORMATS {
@@ -175,8 +177,8 @@ pub(crate) fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let Some(format) = best.1 else {
         return Err(input.error(
-            "binary data of no kind known here",
-            "a file with a spectrum",
+            said!("binary data of no kind known here"),
+            said!("a file with a spectrum"),
         ));
     };
     let mut reading = (format.read)(input)?;

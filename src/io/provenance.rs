@@ -1,5 +1,6 @@
 //! The provenance in every export, and its recovery by a reader.
 
+use crate::languages::said;
 use crate::spectrum::NamedSpectrum;
 
 /// The name of the writing program in files written here.
@@ -121,18 +122,19 @@ impl Columns {
     /// One line when there is none, or their kinds or units differ: the file states one.
     pub fn together(spectra: &[NamedSpectrum]) -> Result<Self, String> {
         let Some(first) = spectra.first() else {
-            return Err("found no spectrum, expected at least one".to_owned());
+            return Err(said!("found no spectrum, expected at least one").to_owned());
         };
         let same = |s: &NamedSpectrum| (s.kind, &s.unit) == (first.kind, &first.unit);
         if let Some(other) = spectra.iter().find(|s| !same(s)) {
             let words = |s: &NamedSpectrum| match s.unit.as_str() {
-                "" => format!("{} ({})", one_line(&s.name), s.kind),
-                unit => format!("{} ({}, {unit})", one_line(&s.name), s.kind),
+                "" => format!("{} ({})", one_line(&s.name), said(s.kind.word())),
+                unit => format!("{} ({}, {unit})", one_line(&s.name), said(s.kind.word())),
             };
-            return Err(format!(
-                "found {} beside {}, expected one kind and unit in a file; name one with --spectrum",
-                words(first),
-                words(other)
+            return Err(tr!(
+                "found {first} beside {other}, expected one kind and unit in a file; name one with \
+                 --spectrum",
+                first = words(first),
+                other = words(other)
             ));
         }
         let mut nm: Vec<f64> = first.samples.nm().to_vec();

@@ -63,7 +63,7 @@ pub(crate) fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> 
     }
     reader
         .join()
-        .unwrap_or_else(|_| Err(io::Error::other("the pipe could not be read")))
+        .unwrap_or_else(|_| Err(io::Error::other(said!("the pipe could not be read"))))
 }
 
 /// The bytes of a file, one more than `most` at the most: of what is no file, such as a device or a
@@ -75,11 +75,11 @@ pub(crate) fn bytes_of_file(path: &Path, most: u64) -> Result<Vec<u8>, (String, 
     let about = std::fs::metadata(path);
     if about.is_ok_and(|about| !about.is_file()) {
         let found = if path.is_dir() {
-            "a folder"
+            said!("a folder")
         } else {
-            "a device or a pipe"
+            said!("a device or a pipe")
         };
-        return Err((found.to_owned(), "a file"));
+        return Err((found.to_owned(), said!("a file")));
     }
     let mut bytes = Vec::new();
     File::open(path)

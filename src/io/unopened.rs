@@ -7,17 +7,21 @@ use crate::io::error::shown;
 
 /// The obstacle at a path that cannot be opened, and the content expected instead.
 pub(crate) fn words(path: &Path, error: &Error) -> (String, &'static str) {
-    let one_that_exists = "a file that exists";
+    let one_that_exists = said!("a file that exists");
     let (found, expected) = match error.kind() {
-        ErrorKind::NotFound if path.is_symlink() => {
-            ("a link to something that is not there", one_that_exists)
-        }
+        ErrorKind::NotFound if path.is_symlink() => (
+            said!("a link to something that is not there"),
+            one_that_exists,
+        ),
         ErrorKind::NotFound => return (missing(path), one_that_exists),
-        ErrorKind::PermissionDenied => ("no permission to read it", "a file you may read"),
-        ErrorKind::NotADirectory => return (in_the_way(path), "a folder there"),
+        ErrorKind::PermissionDenied => (
+            said!("no permission to read it"),
+            said!("a file you may read"),
+        ),
+        ErrorKind::NotADirectory => return (in_the_way(path), said!("a folder there")),
         // Most likely round in a circle, which has no name of its own yet.
-        _ if path.is_symlink() => ("a link that leads nowhere", one_that_exists),
-        _ => return (error.to_string(), "a file that can be read"),
+        _ if path.is_symlink() => (said!("a link that leads nowhere"), one_that_exists),
+        _ => return (error.to_string(), said!("a file that can be read")),
     };
     (found.to_owned(), expected)
 }
@@ -26,9 +30,9 @@ pub(crate) fn words(path: &Path, error: &Error) -> (String, &'static str) {
 fn missing(path: &Path) -> String {
     let folder = path.parent();
     match folder.filter(|folder| !folder.as_os_str().is_empty()) {
-        None => "no such file".to_owned(),
-        Some(folder) if folder.is_dir() => format!("no such file in {}", shown(folder)),
-        Some(folder) => format!("no folder {}", shown(folder)),
+        None => said!("no such file").to_owned(),
+        Some(folder) if folder.is_dir() => tr!("no such file in {folder}", folder = shown(folder)),
+        Some(folder) => tr!("no folder {folder}", folder = shown(folder)),
     }
 }
 
@@ -38,8 +42,8 @@ fn in_the_way(path: &Path) -> String {
     let path = path.components().as_path();
     let file = path.ancestors().find(|part| part.exists());
     match file {
-        Some(file) => format!("{}, which is no folder", shown(file)),
-        None => "a file on the way".to_owned(),
+        Some(file) => tr!("{file}, which is no folder", file = shown(file)),
+        None => said!("a file on the way").to_owned(),
     }
 }
 

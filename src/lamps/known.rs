@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use crate::{
     color::{blackbody::C2_CODATA_M_K, quality::daylight_factors},
+    languages::{self, Language},
     preset,
     spectrum::{Band, Outside},
 };
@@ -76,7 +77,7 @@ static LAMPS: LazyLock<Vec<KnownLamp>> = LazyLock::new(|| {
                 index: index as u8,
                 key,
                 name,
-                title: title(entry),
+                title: languages::in_language(Language::English, || title(entry)),
             }
         })
         .collect()
@@ -85,6 +86,11 @@ static LAMPS: LazyLock<Vec<KnownLamp>> = LazyLock::new(|| {
 /// Every known lamp, by index.
 pub(crate) fn known_lamps() -> &'static [KnownLamp] {
     &LAMPS
+}
+
+/// A lamp's title in the language spoken.
+pub(super) fn title_of(index: u8) -> Option<String> {
+    ENTRIES.get(usize::from(index)).map(title)
 }
 
 /// The indices of the lamps of a name, which are the tables of one lamp at several steps.
@@ -97,20 +103,20 @@ pub(crate) fn namesakes(name: &str) -> Vec<u8> {
 /// A name that no other lamp of the list has.
 fn title(entry: &Entry) -> String {
     match entry {
-        Entry::Planck { planck } => format!("blackbody {planck} K"),
-        Entry::Daylight { cie_daylight } => format!("daylight {cie_daylight} K"),
+        Entry::Planck { planck } => tr!("blackbody {kelvin} K", kelvin = planck),
+        Entry::Daylight { cie_daylight } => tr!("daylight {kelvin} K", kelvin = cie_daylight),
         Entry::Table { group, name } => {
             let is_same =
                 |other: &Entry| matches!(other, Entry::Table { name: n, .. } if n == name);
             if ENTRIES.iter().filter(|other| is_same(other)).count() < 2 {
                 return name.clone();
             }
-            let table = if group.ends_with("5nm") {
+            let step = if group.ends_with("5nm") {
                 "5 nm"
             } else {
                 "1 nm"
             };
-            format!("{name} ({table} table)")
+            tr!("{name} ({step} table)", name, step)
         }
     }
 }

@@ -1,8 +1,14 @@
 //! The composition of a light in words: "0.62 FL2 + 0.21 F32T8/TL841 (Triphosphor) + 9 cosine
 //! numbers + 1 line".
 
-use super::{encoding::Encoding, known::known_lamps};
-use crate::spectrum::{Basis, Line};
+use super::{
+    encoding::Encoding,
+    known::{known_lamps, title_of},
+};
+use crate::{
+    languages::{fixed, said, with_sign},
+    spectrum::{Basis, Line},
+};
 
 /// A known lamp's part of a light.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +21,13 @@ pub struct Part {
     pub share: Option<f64>,
     /// Its power, in the spectrum's unit x nm.
     pub weight: f64,
+}
+
+impl Part {
+    /// The lamp's name in the language spoken.
+    pub fn shown(&self) -> String {
+        title_of(self.index).unwrap_or_else(|| said(self.title).to_owned())
+    }
 }
 
 /// The composition of a light.
@@ -40,7 +53,7 @@ impl Ingredients {
         let part = |atom: &super::AtomWeight| {
             let lamp = known_lamps().get(usize::from(atom.index));
             Part {
-                title: lamp.map_or("a lamp unknown", |lamp| &lamp.title),
+                title: lamp.map_or(later!("a lamp unknown"), |lamp| &lamp.title),
                 index: atom.index,
                 share: share(atom.weight),
                 weight: atom.weight,
@@ -66,18 +79,24 @@ impl Ingredients {
                 (false, false) => " + ",
                 (false, true) => " \u{2212} ",
             };
-            words.push_str(&format!("{sign}{} {}", two_digits(value.abs()), part.title));
+            words.push_str(&format!(
+                "{sign}{} {}",
+                two_digits(value.abs()),
+                part.shown()
+            ));
         }
         if !words.is_empty() {
             words.push_str(" + ");
         }
-        words.push_str(&counted(
-            self.smooth,
-            &format!("{} number", self.basis.name()),
-        ));
+        words.push_str(&match self.basis {
+            Basis::Fourier => {
+                tr!("{n} Fourier number" | "{n} Fourier numbers" % self.smooth)
+            }
+            Basis::Cosine => tr!("{n} cosine number" | "{n} cosine numbers" % self.smooth),
+        });
         if !self.lines.is_empty() {
             words.push_str(" + ");
-            words.push_str(&counted(self.lines.len(), "line"));
+            words.push_str(&tr!("{n} line" | "{n} lines" % self.lines.len()));
         }
         words
     }
@@ -85,39 +104,40 @@ impl Ingredients {
     /// The lines, one a sentence: "436.8 nm, 8.2 nm wide, 0.013 of the power".
     pub(crate) fn lines_in_words(&self) -> Vec<String> {
         let line = |line: &Line| {
-            let width = if line.is_ideal() {
-                "ideal".to_owned()
-            } else {
-                format!("{:.1} nm wide", line.fwhm_nm)
-            };
+            let (at, width) = (fixed(line.at_nm, 1), fixed(line.fwhm_nm, 1));
             let share = line.weight / self.power;
             if self.power > 0.0 && share.is_finite() {
                 let sign = if share < 0.0 { "\u{2212}" } else { "" };
-                let share = two_digits(share.abs());
-                format!("{:.1} nm, {width}, {sign}{share} of the power", line.at_nm)
+                let share = format!("{sign}{}", two_digits(share.abs()));
+                match line.is_ideal() {
+                    true => tr!("{at} nm, ideal, {share} of the power", at, share),
+                    false => tr!(
+                        "{at} nm, {width} nm wide, {share} of the power",
+                        at,
+                        width,
+                        share
+                    ),
+                }
+            } else if line.is_ideal() {
+                tr!("{at} nm, ideal", at)
             } else {
-                format!("{:.1} nm, {width}", line.at_nm)
+                tr!("{at} nm, {width} nm wide", at, width)
             }
         };
         self.lines.iter().map(line).collect()
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{plural}")
-}
-
 /// Two decimals; two digits of what would show as less than 0.1.
 fn two_digits(value: f64) -> String {
-    if value >= 0.095 || value == 0.0 {
+    with_sign(if value >= 0.095 || value == 0.0 {
         format!("{value:.2}")
     } else if value >= 1e-4 {
         let decimals = (1.0 - value.log10().floor()) as usize;
         format!("{value:.decimals$}")
     } else {
         format!("{value:.1e}")
-    }
+    })
 }
 
 #[cfg(test)]

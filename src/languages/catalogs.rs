@@ -29,7 +29,9 @@ fn texts() -> Option<&'static PoTranslator> {
 
 /// A text without figures in the language spoken.
 pub fn said(english: &'static str) -> &'static str {
-    match texts().map(|texts| texts.translate(english, None)) {
+    // The empty text is the head of a file.
+    let texts = texts().filter(|_| !english.is_empty());
+    match texts.map(|texts| texts.translate(english, None)) {
         Some(Cow::Borrowed(text)) => text,
         _ => english,
     }
@@ -37,7 +39,10 @@ pub fn said(english: &'static str) -> &'static str {
 
 /// The same of a text that is known only as the program runs, such as a name in a file.
 pub fn translated(english: &str) -> Cow<'_, str> {
-    texts().map_or(Cow::Borrowed(english), |texts| texts.translate(english, None))
+    let texts = texts().filter(|_| !english.is_empty());
+    texts.map_or(Cow::Borrowed(english), |texts| {
+        texts.translate(english, None)
+    })
 }
 
 /// Answers [`tr!`](tr::tr) on each thread in the language that it speaks.

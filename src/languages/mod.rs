@@ -65,7 +65,10 @@ impl Language {
     /// The language that the system, or the browser, is set to; English for every other one.
     pub fn of_system() -> Self {
         let locale = sys_locale::get_locale();
-        locale.as_deref().and_then(Self::of_locale).unwrap_or_default()
+        locale
+            .as_deref()
+            .and_then(Self::of_locale)
+            .unwrap_or_default()
     }
 
     /// Stands between a number's whole part and its decimals.

@@ -4,6 +4,7 @@ use std::{collections::VecDeque, sync::LazyLock};
 
 use super::words::clock;
 use crate::{
+    languages::with_sign,
     measurements::{
         CountsSign, Formula, Instrument, Measurement, MeasurementError, Options, Quantity, combine,
         counts_sign, flat_tops, noise_of, quantity_of,
@@ -120,21 +121,36 @@ impl Live {
 
     /// What a frame unlike the last one puts an end to.
     fn changes(&self, last: &Frame, frame: &Frame) -> Option<String> {
-        let what = match (&self.dark, &self.light) {
-            (None, None) => return None,
-            (Some(_), None) => "Dark",
-            (None, Some(_)) => "Reference",
-            (Some(_), Some(_)) => "Dark and reference",
+        let ms = |ms: Option<f64>| match ms {
+            None => said!("unknown").to_owned(),
+            Some(ms) => format!("{} ms", with_sign(ms.to_string())),
         };
-        let ms = |ms: Option<f64>| ms.map_or("unknown".to_owned(), |ms| format!("{ms} ms"));
-        let [was, is] = [last.integration_ms, frame.integration_ms];
-        Some(match was == is {
-            false => format!(
-                "{what} dropped: the integration time changed from {} to {}.",
-                ms(was),
-                ms(is)
+        let is_same = last.integration_ms == frame.integration_ms;
+        let [was, is] = [last.integration_ms, frame.integration_ms].map(ms);
+        Some(match (&self.dark, &self.light, is_same) {
+            (None, None, _) => return None,
+            (Some(_), None, false) => tr!(
+                "Dark dropped: the integration time changed from {was} to {is}.",
+                was,
+                is
             ),
-            true => format!("{what} dropped: wavelengths or unit changed."),
+            (None, Some(_), false) => tr!(
+                "Reference dropped: the integration time changed from {was} to {is}.",
+                was,
+                is
+            ),
+            (Some(_), Some(_), false) => tr!(
+                "Dark and reference dropped: the integration time changed from {was} to {is}.",
+                was,
+                is
+            ),
+            (Some(_), None, true) => said!("Dark dropped: wavelengths or unit changed.").to_owned(),
+            (None, Some(_), true) => {
+                said!("Reference dropped: wavelengths or unit changed.").to_owned()
+            }
+            (Some(_), Some(_), true) => {
+                said!("Dark and reference dropped: wavelengths or unit changed.").to_owned()
+            }
         })
     }
 
@@ -255,7 +271,11 @@ impl Live {
     /// As [`Self::shown`].
     pub fn capture(&self) -> Result<Option<Measurement>, MeasurementError> {
         Ok(self.shown()?.map(|shown| Measurement {
-            name: format!("{} at {}", shown.of.name, clock(shown.time_ms)),
+            name: tr!(
+                "{name} at {time}",
+                name = shown.of.name,
+                time = clock(shown.time_ms)
+            ),
             ..shown.of
         }))
     }

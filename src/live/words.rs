@@ -1,27 +1,29 @@
 //! Rate, age and time in words.
 
+use crate::languages::fixed;
+
 /// Frames a second: `9.8 frames a second`, `a frame every 2.5 s`.
 pub fn rate(per_second: Option<f64>) -> String {
     match per_second {
-        None => "no rate yet".to_owned(),
-        Some(rate) if rate >= 9.95 => format!("{rate:.0} frames a second"),
-        Some(rate) if rate >= 0.995 => format!("{rate:.1} frames a second"),
-        Some(rate) => format!("a frame every {}", span(1.0 / rate)),
+        None => said!("no rate yet").to_owned(),
+        Some(rate) if rate >= 9.95 => tr!("{rate} frames a second", rate = fixed(rate, 0)),
+        Some(rate) if rate >= 0.995 => tr!("{rate} frames a second", rate = fixed(rate, 1)),
+        Some(rate) => tr!("a frame every {span}", span = span(1.0 / rate)),
     }
 }
 
 /// Time since the last frame, s: `just now`, `4 s ago`, `2 min ago`.
 pub fn age(seconds: Option<f64>) -> String {
     match seconds {
-        None => "no frame yet".to_owned(),
-        Some(seconds) if seconds < 1.0 => "just now".to_owned(),
-        Some(seconds) => format!("{} ago", span(seconds.floor())),
+        None => said!("no frame yet").to_owned(),
+        Some(seconds) if seconds < 1.0 => said!("just now").to_owned(),
+        Some(seconds) => tr!("{span} ago", span = span(seconds.floor())),
     }
 }
 
 fn span(seconds: f64) -> String {
     match seconds {
-        s if s < 9.95 && s.fract() != 0.0 => format!("{s:.1} s"),
+        s if s < 9.95 && s.fract() != 0.0 => format!("{} s", fixed(s, 1)),
         s if s < 119.5 => format!("{s:.0} s"),
         s if s < 7170.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.0} h", s / 3600.0),

@@ -1,5 +1,7 @@
 //! Scans that do not belong to the others, and drift. They are proposed, never dropped.
 
+use crate::languages::signed;
+
 use super::{
     measurement::Measurement,
     repeats::{RepeatsError, Scans, running, slope},
@@ -107,19 +109,22 @@ pub fn misfits(scans: &[Measurement]) -> Result<(Vec<Misfit>, bool), RepeatsErro
     };
     let why = |i: usize| {
         if let Some(off) = far(&levels, i, LEVEL) {
-            return Some(format!(
-                "its level is {:+.1} % from that of the others",
-                100.0 * off
+            return Some(tr!(
+                "its level is {off} % from that of the others",
+                off = signed(100.0 * off, 1)
             ));
         }
         if let Some(off) = far(&shifts, i, SHIFT) {
-            return Some(format!("it is moved by {off:+.2} nm against the others"));
+            return Some(tr!(
+                "it is moved by {off} nm against the others",
+                off = signed(off, 2)
+            ));
         }
         if rms[i] > RESIDUAL * median(rms.iter().copied()) {
-            return Some("its shape is another than that of the others".to_owned());
+            return Some(said!("its shape is another than that of the others").to_owned());
         }
         let most = (THREE[0] * median(highest.iter().copied())).max(THREE[1]);
-        (highest[i] > most).then(|| "it differs from the others in one place".to_owned())
+        (highest[i] > most).then(|| said!("it differs from the others in one place").to_owned())
     };
     let found = (0..n).filter_map(|scan| {
         Some(Misfit {

@@ -102,8 +102,8 @@ pub enum ChangeError {
 impl fmt::Display for ChangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::CannotSay(why) => write!(f, "Cannot say: {why}"),
-            Self::Dark => f.write_str("Cannot say: found no power above 0 in both sets."),
+            Self::CannotSay(why) => f.write_str(&tr!("Cannot say: {why}", why)),
+            Self::Dark => f.write_str(said!("Cannot say: found no power above 0 in both sets.")),
         }
     }
 }

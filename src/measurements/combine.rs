@@ -4,6 +4,8 @@
 //! two places (a dark that is taken off sample and reference) counts once: the sigma of `A - A` is
 //! nothing, that of `(A - C) / (B - C)` is the shared dark's.
 
+use crate::languages::{fixed, with_sign};
+
 use super::{
     columns::{Column, Grid},
     error::MeasurementError,
@@ -61,7 +63,7 @@ pub fn combine(
     let mut notes = Vec::new();
     let (step, meaning) = understood(&formula.0, inputs, &mut notes)?;
     for index in (0..inputs.len()).filter(|index| !letters.contains(index)) {
-        notes.push(format!("{} is not used.", letter(index)));
+        notes.push(tr!("{letter} is not used.", letter = letter(index)));
     }
     let parts: Vec<&Measurement> = letters.iter().map(|index| &inputs[*index]).collect();
     let bare = Union::of(&parts, false)?;
@@ -86,8 +88,8 @@ pub fn combine(
     let kept = result.kept_values().iter().flatten().count() as f64 / union.nm.len() as f64;
     if kept == 0.0 {
         return Err(MeasurementError::AllMasked(match mask.why.as_str() {
-            "" => "Nothing of the result is a finite number.".to_owned(),
-            why => format!("{why} everywhere: nothing is left."),
+            "" => said!("Nothing of the result is a finite number.").to_owned(),
+            why => tr!("{why} everywhere: nothing is left.", why),
         }));
     }
     notes.extend(masked_words(&step, &grid, &result));
@@ -121,15 +123,15 @@ pub fn combine(
 fn letters_of(formula: &Formula, inputs: usize) -> Result<Vec<usize>, MeasurementError> {
     let letters = formula.letters();
     if let Some(missing) = letters.iter().find(|index| **index >= inputs) {
-        return Err(MeasurementError::Meaningless(format!(
-            "found {} in the formula and {} inputs, expected an input for each letter",
-            letter(*missing),
+        return Err(MeasurementError::Meaningless(tr!(
+            "found {letter} in the formula and {inputs} inputs, expected an input for each letter",
+            letter = letter(*missing),
             inputs
         )));
     }
     if letters.is_empty() {
         return Err(MeasurementError::Meaningless(
-            "found a formula without a letter, expected one of an input".to_owned(),
+            said!("found a formula without a letter, expected one of an input").to_owned(),
         ));
     }
     Ok(letters)
@@ -147,15 +149,24 @@ fn masked_words(step: &Step, grid: &Grid, result: &Measurement) -> Vec<String> {
                 .map(|(_, bound)| *bound)
                 .fold(f64::INFINITY, f64::min);
             match least > 0.0 {
-                true => format!("the absorbance is more than {least:.2} there"),
-                false => "no absorbance is told there".to_owned(),
+                true => tr!(
+                    "the absorbance is more than {least} there",
+                    least = fixed(least, 2)
+                ),
+                false => said!("no absorbance is told there").to_owned(),
             }
         }
-        None => format!("no {} is told there", result.quantity.word()),
+        None => untold(result.quantity).to_owned(),
     };
     let words = |m: &Masked| {
         let (from, to) = (m.from_nm, m.to_nm);
-        format!("{} from {from} to {to} nm: {}.", m.why, told(m))
+        tr!(
+            "{why} from {from} to {to} nm: {told}.",
+            why = m.why,
+            from = with_sign(from.to_string()),
+            to = with_sign(to.to_string()),
+            told = told(m)
+        )
     };
     result
         .masked()
@@ -163,6 +174,19 @@ fn masked_words(step: &Step, grid: &Grid, result: &Measurement) -> Vec<String> {
         .take(MOST_MASKED)
         .map(words)
         .collect()
+}
+
+/// What is masked tells nothing.
+fn untold(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Light => said!("no radiant is told there"),
+        Quantity::Counts => said!("no counts is told there"),
+        Quantity::Transmittance => said!("no transmittance is told there"),
+        Quantity::Reflectance => said!("no reflectance is told there"),
+        Quantity::Absorbance => said!("no absorbance is told there"),
+        Quantity::Factor => said!("no factor is told there"),
+        Quantity::Number => said!("no number is told there"),
+    }
 }
 
 /// Fieller's interval of every quotient.
@@ -330,7 +354,7 @@ impl Step {
                 let pairs = t.values.iter().zip(&sigma);
                 let is_dark =
                     pairs.map(|(t, s)| t.is_nan() || *t <= 0.0 || *t < LEAST_FOR_ABSORBANCE * s);
-                let why = "The transmittance is below 7 of its noise";
+                let why = said!("The transmittance is below 7 of its noise");
                 mask.add(is_dark.collect(), why);
             }
             Self::Of(operation, a, b, _) => {
@@ -338,11 +362,13 @@ impl Step {
                 b.mask(grid, options, mask);
                 if *operation == Operation::Divide && !b.is_number() {
                     let r = b.column(grid);
-                    let why = "The reference is below 10 of its noise";
+                    let why = said!("The reference is below 10 of its noise");
                     mask.add(in_the_dark(&r, grid), why);
                     if let Some(most) = options.most_doubt {
-                        let why = "The quotient is known to no better than the reference between \
-                                   its lines allows";
+                        let why = said!(
+                            "The quotient is known to no better than the reference between its \
+                             lines allows"
+                        );
                         mask.add(doubtful(&self.column(grid), &r, grid, most), why);
                     }
                 }

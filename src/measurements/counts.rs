@@ -5,7 +5,10 @@
 //! converter, on the axis of a row of pixels or whole, are probably counts too.
 
 use super::quantity::says_counts;
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::{
+    languages::with_sign,
+    spectrum::{Kind, NamedSpectrum},
+};
 
 /// Largest value of 8 bit; what exceeds it and has no unit may be counts.
 const ABOVE: f64 = 255.0;
@@ -35,28 +38,38 @@ pub fn counts_sign(of: &NamedSpectrum) -> Option<CountsSign> {
     let scale = if of.scale == 0.0 { 1.0 } else { of.scale };
     let own = || of.samples.values().iter().map(|v| v / scale);
     let highest = own().fold(0.0, f64::max);
+    let shown = || with_sign(highest.to_string());
     let unit = of.unit.trim();
     match of.kind {
         Kind::Light | Kind::Other if says_counts(unit) => {
-            sign(true, format!("the unit says {unit}"))
+            sign(true, tr!("the unit says {unit}", unit))
         }
         Kind::Light | Kind::Other if says_counts(&of.name) && has_no_unit(unit) => {
-            sign(true, format!("the title says {}", of.name))
+            sign(true, tr!("the title says {name}", name = of.name))
         }
         Kind::Transmittance | Kind::Reflectance if of.scale == 0.01 && highest > MOST_PER_CENT => {
-            sign(true, format!("{highest} % is no share of light"))
+            sign(true, tr!("{share} % is no share of light", share = shown()))
         }
         Kind::Light if has_no_unit(unit) && highest > ABOVE => {
             if is_pixel_axis(of.samples.nm()) || PIXELS.contains(&of.samples.len()) {
                 return sign(
                     false,
-                    format!("no unit, values up to {highest} and the axis of a row of pixels"),
+                    tr!(
+                        "no unit, values up to {highest} and the axis of a row of pixels",
+                        highest = shown()
+                    ),
                 );
             }
             let whole = own().filter(|v| v.fract().abs() < 1e-9).count();
             let is_whole = whole as f64 >= WHOLE * of.samples.len() as f64;
             match is_whole {
-                true => sign(false, format!("no unit and whole numbers up to {highest}")),
+                true => sign(
+                    false,
+                    tr!(
+                        "no unit and whole numbers up to {highest}",
+                        highest = shown()
+                    ),
+                ),
                 false => None,
             }
         }

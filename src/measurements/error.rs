@@ -24,9 +24,14 @@ impl fmt::Display for MeasurementError {
         match self {
             Self::Meaningless(why) | Self::Apart(why) | Self::AllMasked(why) => f.write_str(why),
             Self::TooMany { points, most } => {
-                write!(f, "found {points} points, expected at most {most}")
+                let words = tr!(
+                    "found {points} points, expected at most {most}",
+                    points,
+                    most
+                );
+                f.write_str(&words)
             }
-            Self::NoTable(why) => write!(f, "the result is no table: {why}"),
+            Self::NoTable(why) => f.write_str(&tr!("the result is no table: {why}", why)),
         }
     }
 }

@@ -27,11 +27,11 @@ pub enum Feature {
 impl fmt::Display for Feature {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Level => f.write_str("level"),
-            Self::Line(_) => f.write_str("line"),
-            Self::Glow => f.write_str("glow"),
-            Self::Shape(1) => f.write_str("tilt of the glow"),
-            Self::Shape(_) => f.write_str("shape of the glow"),
+            Self::Level => f.write_str(said!("level")),
+            Self::Line(_) => f.write_str(said!("line")),
+            Self::Glow => f.write_str(said!("glow")),
+            Self::Shape(1) => f.write_str(said!("tilt of the glow")),
+            Self::Shape(_) => f.write_str(said!("shape of the glow")),
             Self::Cct => f.write_str("CCT"),
         }
     }

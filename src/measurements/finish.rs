@@ -45,7 +45,7 @@ pub(super) fn finished(
     if mask.contains(&true) {
         result.mask = mask;
         result.why_masked = match why {
-            "" => "No finite number".to_owned(),
+            "" => said!("No finite number").to_owned(),
             why => why.to_owned(),
         };
     }

@@ -32,7 +32,8 @@ pub struct FormulaError {
 
 impl fmt::Display for FormulaError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "found {}, expected {}", self.found, self.expected)
+        let Self { found, expected } = self;
+        f.write_str(&tr!("found {found}, expected {expected}", found, expected))
     }
 }
 
@@ -61,7 +62,7 @@ impl Formula {
             None => Ok(Self(tree)),
             Some(token) => Err(FormulaError {
                 found: token.words(),
-                expected: "+, -, *, / or the end of the formula",
+                expected: said!("+, -, *, / or the end of the formula"),
             }),
         }
     }
@@ -200,8 +201,9 @@ fn tokens(text: &str) -> Result<Vec<Token>, FormulaError> {
                         };
                         return Err(FormulaError {
                             found,
-                            expected: "a letter of an input (A, B, ...), a number, + - * / ( ) or \
-                                       -log10",
+                            expected: said!(
+                                "a letter of an input (A, B, ...), a number, + - * / ( ) or -log10"
+                            ),
                         });
                     }
                 }
@@ -233,7 +235,7 @@ fn number(rest: &str) -> Result<(Token, usize), FormulaError> {
         Ok(value) if value.is_finite() => Ok((Token::Number(value), end)),
         _ => Err(FormulaError {
             found: rest[..end].to_owned(),
-            expected: "a number",
+            expected: said!("a number"),
         }),
     }
 }
@@ -285,8 +287,11 @@ impl Parser {
     fn part(&mut self, depth: usize) -> Result<Tree, FormulaError> {
         if depth > DEEPEST {
             return Err(FormulaError {
-                found: format!("more than {DEEPEST} brackets within each other"),
-                expected: "fewer",
+                found: tr!(
+                    "more than {most} brackets within each other",
+                    most = DEEPEST
+                ),
+                expected: said!("fewer"),
             });
         }
         let token = self.tokens.get(self.at).cloned();
@@ -298,7 +303,7 @@ impl Parser {
             Some(Token::Sign('-')) if self.tokens.get(self.at) == Some(&Token::Log) => {
                 self.at += 1;
                 if self.takes(['(', '(']).is_none() {
-                    return Err(self.unexpected("( behind -log10"));
+                    return Err(self.unexpected(said!("( behind -log10")));
                 }
                 Ok(Tree::Absorbance(Box::new(self.bracket(depth + 1)?)))
             }
@@ -309,7 +314,7 @@ impl Parser {
             }
             _ => {
                 self.at -= 1;
-                Err(self.unexpected("a letter of an input, a number, ( or -log10("))
+                Err(self.unexpected(said!("a letter of an input, a number, ( or -log10(")))
             }
         }
     }
@@ -326,7 +331,7 @@ impl Parser {
     fn unexpected(&self, expected: &'static str) -> FormulaError {
         let found = self.tokens.get(self.at);
         FormulaError {
-            found: found.map_or_else(|| "the end of the formula".to_owned(), Token::words),
+            found: found.map_or_else(|| said!("the end of the formula").to_owned(), Token::words),
             expected,
         }
     }

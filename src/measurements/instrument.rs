@@ -126,7 +126,9 @@ pub fn learn(
         None => reading.samples.nm().to_vec(),
     };
     let apart = || {
-        MeasurementError::Apart("The reading and the known light share no wavelengths.".to_owned())
+        MeasurementError::Apart(
+            said!("The reading and the known light share no wavelengths.").to_owned(),
+        )
     };
     let light = known.on(&nm, doubt).ok_or_else(apart)?;
     let noise = reading.sigma.clone().or_else(|| noise_of(&reading.samples));
@@ -139,8 +141,10 @@ pub fn learn(
         .for_each(|(i, (masked, v))| *masked |= *v <= 0.0 || !reading.is_kept(i));
     let kept: Vec<usize> = (0..nm.len()).filter(|i| !mask[*i]).collect();
     if kept.len() < 2 {
-        let why = "The reading is below 10 of its noise everywhere the light is known: nothing is \
-                   learnt.";
+        let why = said!(
+            "The reading is below 10 of its noise everywhere the light is known: nothing is \
+             learnt."
+        );
         return Err(MeasurementError::AllMasked(why.to_owned()));
     }
     let mut factor = vec![0.0; nm.len()];
@@ -161,7 +165,8 @@ pub fn learn(
     response.shared = light.shared;
     if mask.contains(&true) {
         response.mask = mask;
-        response.why_masked = "The known light's reading is below 10 of its noise".to_owned();
+        response.why_masked =
+            said!("The known light's reading is below 10 of its noise").to_owned();
     }
     Ok(Instrument {
         name: String::new(),
@@ -255,7 +260,7 @@ impl Instrument {
         }
         if !mask.contains(&false) {
             return Err(MeasurementError::Apart(
-                "The reading lies where the instrument's response is not known.".to_owned(),
+                said!("The reading lies where the instrument's response is not known.").to_owned(),
             ));
         }
         let mut light = Measurement::new(
@@ -273,7 +278,7 @@ impl Instrument {
         light.shared = shared;
         if mask.contains(&true) {
             light.mask = mask;
-            light.why_masked = "The instrument's response is not known".to_owned();
+            light.why_masked = said!("The instrument's response is not known").to_owned();
         }
         Ok(light)
     }

@@ -58,7 +58,7 @@ impl Mask {
         };
         for (_, input) in grid.used() {
             let why = match input.of.why_masked.as_str() {
-                "" => "An input has no value",
+                "" => said!("An input has no value"),
                 why => why,
             };
             mask.add(input.masked.clone(), why);

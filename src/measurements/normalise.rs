@@ -10,6 +10,7 @@ use crate::{
         Observer,
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
+    languages::with_sign,
     spectrum::{Outside, Sampled},
 };
 
@@ -36,11 +37,35 @@ pub enum Normalise {
 impl fmt::Display for Normalise {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Peak => f.write_str("peak"),
-            Self::Area => f.write_str("area"),
-            Self::At(nm) => write!(f, "value at {nm} nm"),
+            Self::Peak => f.write_str(said!("peak")),
+            Self::Area => f.write_str(said!("area")),
+            Self::At(nm) => f.write_str(&tr!("value at {nm} nm", nm = with_sign(nm.to_string()))),
             Self::Y => f.write_str("Y"),
         }
+    }
+}
+
+/// That there is nothing to divide by.
+fn indivisible(by: Normalise, found: f64) -> String {
+    let found = with_sign(found.to_string());
+    match by {
+        Normalise::Peak => tr!(
+            "found a largest value of {found}, expected one above 0 to divide by",
+            found
+        ),
+        Normalise::Area => tr!(
+            "found an area of {found}, expected one above 0 to divide by",
+            found
+        ),
+        Normalise::At(nm) => tr!(
+            "found a value at {nm} nm of {found}, expected one above 0 to divide by",
+            nm = with_sign(nm.to_string()),
+            found
+        ),
+        Normalise::Y => tr!(
+            "found a Y of {found}, expected one above 0 to divide by",
+            found
+        ),
     }
 }
 
@@ -52,37 +77,34 @@ impl fmt::Display for Normalise {
 pub fn normalised(of: &Measurement, by: Normalise) -> Result<Measurement, MeasurementError> {
     let samples = &of.samples;
     let pairs = || samples.nm().windows(2).zip(samples.values().windows(2));
-    let (divisor, what) = match by {
+    let divisor = match by {
         Normalise::Peak => {
             let peak = samples
                 .values()
                 .iter()
                 .copied()
                 .fold(f64::NEG_INFINITY, f64::max);
-            (peak, "a largest value".to_owned())
+            peak
         }
         Normalise::Area => {
-            let area = pairs()
-                .map(|(nm, v)| 0.5 * (nm[1] - nm[0]) * (v[0] + v[1]))
-                .sum();
-            (area, "an area".to_owned())
+            let areas = pairs().map(|(nm, v)| 0.5 * (nm[1] - nm[0]) * (v[0] + v[1]));
+            areas.sum::<f64>()
         }
         Normalise::At(nm) => {
             if !(samples.first_nm()..=samples.last_nm()).contains(&nm) {
-                return Err(MeasurementError::Apart(format!(
-                    "found {nm} nm, expected a wavelength within {}-{} nm",
-                    samples.first_nm(),
-                    samples.last_nm()
+                return Err(MeasurementError::Apart(tr!(
+                    "found {nm} nm, expected a wavelength within {first}-{last} nm",
+                    nm = with_sign(nm.to_string()),
+                    first = with_sign(samples.first_nm().to_string()),
+                    last = with_sign(samples.last_nm().to_string())
                 )));
             }
-            (samples.at(nm, Outside::Zero), format!("a value at {nm} nm"))
+            samples.at(nm, Outside::Zero)
         }
-        Normalise::Y => (y_of(samples) / 100.0, "a Y".to_owned()),
+        Normalise::Y => y_of(samples) / 100.0,
     };
     if !divisor.is_finite() || divisor <= 0.0 {
-        return Err(MeasurementError::Meaningless(format!(
-            "found {what} of {divisor}, expected one above 0 to divide by"
-        )));
+        return Err(MeasurementError::Meaningless(indivisible(by, divisor)));
     }
     let level = match by {
         Normalise::At(at) => {

@@ -6,7 +6,7 @@ use super::{
     error::MeasurementError,
     units::{conversion, is_relative},
 };
-use crate::spectrum::Kind;
+use crate::{languages::with_sign, spectrum::Kind};
 
 /// Quantity of the values of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,13 +62,13 @@ impl Quantity {
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Light => "a light",
-            Self::Counts => "counts",
-            Self::Transmittance => "a transmittance",
-            Self::Reflectance => "a reflectance",
-            Self::Absorbance => "an absorbance",
-            Self::Factor => "a factor",
-            Self::Number => "a number",
+            Self::Light => said!("a light"),
+            Self::Counts => said!("counts"),
+            Self::Transmittance => said!("a transmittance"),
+            Self::Reflectance => said!("a reflectance"),
+            Self::Absorbance => said!("an absorbance"),
+            Self::Factor => said!("a factor"),
+            Self::Number => said!("a number"),
         })
     }
 }
@@ -92,11 +92,6 @@ pub(super) fn says_counts(text: &str) -> bool {
 /// # Errors
 /// A sentence for what is no measurement: weightings, n and k, lists of lines.
 pub fn quantity_of(name: &str, kind: Kind, unit: &str) -> Result<Quantity, MeasurementError> {
-    let none = |what: &str| {
-        Err(MeasurementError::Meaningless(format!(
-            "{name} is {what}, not a measurement."
-        )))
-    };
     match kind {
         Kind::Light | Kind::Other if says_counts(unit) => Ok(Quantity::Counts),
         Kind::Light => Ok(Quantity::Light),
@@ -104,9 +99,12 @@ pub fn quantity_of(name: &str, kind: Kind, unit: &str) -> Result<Quantity, Measu
         Kind::Reflectance => Ok(Quantity::Reflectance),
         Kind::Absorbance => Ok(Quantity::Absorbance),
         Kind::Other if unit.trim().eq_ignore_ascii_case("factor") => Ok(Quantity::Factor),
-        Kind::Weighting => none("a weighting"),
-        Kind::Lines => none("a list of lines"),
-        Kind::Other => none("a curve of another kind (n, k)"),
+        Kind::Weighting => meaningless(tr!("{name} is a weighting, not a measurement.", name)),
+        Kind::Lines => meaningless(tr!("{name} is a list of lines, not a measurement.", name)),
+        Kind::Other => meaningless(tr!(
+            "{name} is a curve of another kind (n, k), not a measurement.",
+            name
+        )),
     }
 }
 
@@ -175,7 +173,7 @@ fn outcome(text: String, quantity: Quantity, unit: &str, of: &Meaning) -> Outcom
 /// Description of a part's values for a sentence: its unit where it has one.
 fn held(part: &Meaning) -> String {
     match (part.quantity, part.unit.as_str()) {
-        (Quantity::Light, "") => "a light without a unit".to_owned(),
+        (Quantity::Light, "") => said!("a light without a unit").to_owned(),
         (Quantity::Light, unit) => unit.to_owned(),
         (quantity, _) => quantity.to_string(),
     }
@@ -184,7 +182,7 @@ fn held(part: &Meaning) -> String {
 fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, MeasurementError> {
     use Quantity::{Absorbance, Counts, Light, Number};
     let text = format!("({} {sign} {})", a.text, b.text);
-    let verb = if sign == '+' { "sum" } else { "difference" };
+    let is_sum = sign == '+';
     match (a.quantity, b.quantity) {
         (Light, Light) => lights(a, b, text),
         (Counts, Counts) => counts(a, b, sign, text),
@@ -192,53 +190,89 @@ fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, MeasurementError
         (Absorbance, Absorbance) => Ok(outcome(text, Absorbance, "", a)),
         (x, y) if (x.is_factor() || x == Number) && (y.is_factor() || y == Number) => {
             let mut found = outcome(text, Quantity::Factor, "factor", a);
-            found.note = Some(format!("A plain {verb} of factors, no filter any more."));
+            let note = match is_sum {
+                true => said!("A plain sum of factors, no filter any more."),
+                false => said!("A plain difference of factors, no filter any more."),
+            };
+            found.note = Some(note.to_owned());
             Ok(found)
         }
-        (Counts, Light) => meaningless(format!(
-            "{} holds counts and {} {}: they cannot be {}. Divide {} by a reading of {}'s lamp \
-             first (Instruments).",
-            a.text,
-            b.text,
-            held(b),
-            added(sign),
-            a.text,
-            b.text
-        )),
-        (Light, Counts) => meaningless(format!(
-            "{} holds {} and {} counts: they cannot be {}. Divide {} by a reading of {}'s lamp \
-             first (Instruments).",
-            a.text,
-            held(a),
-            b.text,
-            added(sign),
-            b.text,
-            a.text
-        )),
-        (Light, y) if y.is_factor() => meaningless(format!(
-            "{} is a light and {} {y}: a {verb} of the two means nothing. Multiply, or choose {} \
-             over another light.",
-            a.text, b.text, a.text
-        )),
-        (x, y) => meaningless(format!(
-            "{} is {x} and {} {y}: a {verb} of the two means nothing.",
-            a.text, b.text
-        )),
+        (Counts, Light) => meaningless(match is_sum {
+            true => tr!(
+                "{a} holds counts and {b} {held}: they cannot be added. Divide {a} by a reading \
+                 of {b}'s lamp first (Instruments).",
+                a = a.text,
+                b = b.text,
+                held = held(b)
+            ),
+            false => tr!(
+                "{a} holds counts and {b} {held}: they cannot be subtracted. Divide {a} by a \
+                 reading of {b}'s lamp first (Instruments).",
+                a = a.text,
+                b = b.text,
+                held = held(b)
+            ),
+        }),
+        (Light, Counts) => meaningless(match is_sum {
+            true => tr!(
+                "{a} holds {held} and {b} counts: they cannot be added. Divide {b} by a reading \
+                 of {a}'s lamp first (Instruments).",
+                a = a.text,
+                held = held(a),
+                b = b.text
+            ),
+            false => tr!(
+                "{a} holds {held} and {b} counts: they cannot be subtracted. Divide {b} by a \
+                 reading of {a}'s lamp first (Instruments).",
+                a = a.text,
+                held = held(a),
+                b = b.text
+            ),
+        }),
+        (Light, y) if y.is_factor() => meaningless(match is_sum {
+            true => tr!(
+                "{a} is a light and {b} {factor}: a sum of the two means nothing. Multiply, or \
+                 choose {a} over another light.",
+                a = a.text,
+                b = b.text,
+                factor = y
+            ),
+            false => tr!(
+                "{a} is a light and {b} {factor}: a difference of the two means nothing. \
+                 Multiply, or choose {a} over another light.",
+                a = a.text,
+                b = b.text,
+                factor = y
+            ),
+        }),
+        (x, y) => meaningless(match is_sum {
+            true => tr!(
+                "{a} is {x} and {b} {y}: a sum of the two means nothing.",
+                a = a.text,
+                x,
+                b = b.text,
+                y
+            ),
+            false => tr!(
+                "{a} is {x} and {b} {y}: a difference of the two means nothing.",
+                a = a.text,
+                x,
+                b = b.text,
+                y
+            ),
+        }),
     }
-}
-
-fn added(sign: char) -> &'static str {
-    if sign == '+' { "added" } else { "subtracted" }
 }
 
 fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, MeasurementError> {
     let mut found = outcome(text, Quantity::Light, &a.unit, a);
     match (is_relative(&a.unit), is_relative(&b.unit)) {
         (true, true) => {
-            found.note = Some(format!(
-                "{} and {} state no unit: taken as on one scale. Where they are not, bring both \
+            found.note = Some(tr!(
+                "{a} and {b} state no unit: taken as on one scale. Where they are not, bring both \
                  to equal Y or area first.",
-                a.text, b.text
+                a = a.text,
+                b = b.text
             ));
             Ok(found)
         }
@@ -246,27 +280,47 @@ fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, Measurement
             Some(factor) => {
                 found.second_by = factor;
                 if factor != 1.0 {
-                    found.note = Some(format!(
-                        "{} is in {}, converted to {}.",
-                        b.text, b.unit, a.unit
+                    found.note = Some(tr!(
+                        "{name} is in {unit}, converted to {wanted}.",
+                        name = b.text,
+                        unit = b.unit,
+                        wanted = a.unit
                     ));
                 }
                 Ok(found)
             }
-            None => meaningless(format!(
-                "{} is in {} and {} in {}: different quantities cannot be added or subtracted.",
-                a.text, a.unit, b.text, b.unit
+            None => meaningless(tr!(
+                "{a} is in {unit} and {b} in {other}: different quantities cannot be added or \
+                 subtracted.",
+                a = a.text,
+                unit = a.unit,
+                b = b.text,
+                other = b.unit
             )),
         },
         (is_first, _) => {
             let (relative, absolute) = if is_first { (a, b) } else { (b, a) };
-            meaningless(format!(
-                "{} is relative and {} in {}: they share no scale. Bring both to equal Y or area \
-                 first.",
-                relative.text, absolute.text, absolute.unit
+            meaningless(tr!(
+                "{relative} is relative and {absolute} in {unit}: they share no scale. Bring both \
+                 to equal Y or area first.",
+                relative = relative.text,
+                absolute = absolute.text,
+                unit = absolute.unit
             ))
         }
     }
+}
+
+/// That the second part is scaled to the exposure of the first, of these ms.
+fn scaled_words(a: &Meaning, b: &Meaning, exposures_ms: [f64; 2]) -> String {
+    let [wanted, read] = exposures_ms.map(|ms| with_sign(ms.to_string()));
+    tr!(
+        "{b} was read with {read} ms and is scaled to the {wanted} ms of {a}.",
+        b = b.text,
+        read,
+        wanted,
+        a = a.text
+    )
 }
 
 fn counts(a: &Meaning, b: &Meaning, sign: char, text: String) -> Result<Outcome, MeasurementError> {
@@ -277,18 +331,18 @@ fn counts(a: &Meaning, b: &Meaning, sign: char, text: String) -> Result<Outcome,
         && !(per_ms(a) && per_ms(b))
     {
         if sign == '-' {
-            return meaningless(format!(
-                "{} was read with {x} ms and the dark {} with {y} ms: a dark of another exposure \
-                 is not subtracted.",
-                a.text, b.text
+            return meaningless(tr!(
+                "{a} was read with {ms} ms and the dark {b} with {other} ms: a dark of another \
+                 exposure is not subtracted.",
+                a = a.text,
+                ms = with_sign(x.to_string()),
+                b = b.text,
+                other = with_sign(y.to_string())
             ));
         }
         let mut scaled = found;
         scaled.second_by = x / y;
-        scaled.note = Some(format!(
-            "{} was read with {y} ms and is scaled to the {x} ms of {}.",
-            b.text, a.text
-        ));
+        scaled.note = Some(scaled_words(a, b, [x, y]));
         return Ok(scaled);
     }
     Ok(found)
@@ -301,9 +355,12 @@ fn product(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
     match (a.quantity, b.quantity) {
         (Number, _) => same(b),
         (_, Number) => same(a),
-        (Absorbance, _) | (_, Absorbance) => meaningless(format!(
-            "{} is {} and {} {}: absorbances are added, not multiplied.",
-            a.text, a.quantity, b.text, b.quantity
+        (Absorbance, _) | (_, Absorbance) => meaningless(tr!(
+            "{a} is {x} and {b} {y}: absorbances are added, not multiplied.",
+            a = a.text,
+            x = a.quantity,
+            b = b.text,
+            y = b.quantity
         )),
         // An instrument's factor makes a light of counts.
         (Counts, Factor) | (Factor, Counts) => {
@@ -326,9 +383,12 @@ fn product(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
                 a,
             ))
         }
-        (x, y) => meaningless(format!(
-            "{} is {x} and {} {y}: a product of the two means nothing.",
-            a.text, b.text
+        (x, y) => meaningless(tr!(
+            "{a} is {x} and {b} {y}: a product of the two means nothing.",
+            a = a.text,
+            x,
+            b = b.text,
+            y
         )),
     }
 }
@@ -338,9 +398,12 @@ fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
     let text = format!("{} / {}", a.text, b.text);
     match (a.quantity, b.quantity) {
         (_, Number) => Ok(outcome(text, a.quantity, &a.unit, a)),
-        (Absorbance, _) | (_, Absorbance) => meaningless(format!(
-            "{} is {} and {} {}: absorbances are subtracted, not divided.",
-            a.text, a.quantity, b.text, b.quantity
+        (Absorbance, _) | (_, Absorbance) => meaningless(tr!(
+            "{a} is {x} and {b} {y}: absorbances are subtracted, not divided.",
+            a = a.text,
+            x = a.quantity,
+            b = b.text,
+            y = b.quantity
         )),
         (Light, Light) => {
             let factor = match (is_relative(&a.unit), is_relative(&b.unit)) {
@@ -348,10 +411,13 @@ fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
                 _ => Some(1.0),
             };
             let Some(factor) = factor else {
-                return meaningless(format!(
-                    "{} is in {} and {} in {}: a quotient of different quantities is no \
-                     transmittance.",
-                    a.text, a.unit, b.text, b.unit
+                return meaningless(tr!(
+                    "{a} is in {unit} and {b} in {other}: a quotient of different quantities is \
+                     no transmittance.",
+                    a = a.text,
+                    unit = a.unit,
+                    b = b.text,
+                    other = b.unit
                 ));
             };
             let mut found = outcome(text, Transmittance, "fraction", a);
@@ -364,16 +430,14 @@ fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
                 && x != y
             {
                 found.second_by = x / y;
-                found.note = Some(format!(
-                    "{} was read with {y} ms and is scaled to the {x} ms of {}.",
-                    b.text, a.text
-                ));
+                found.note = Some(scaled_words(a, b, [x, y]));
             }
             Ok(found)
         }
         (Counts, Light) | (Light, Counts) => {
             let mut found = outcome(text, Factor, "factor", a);
-            found.note = Some("Counts and a light: the response of an instrument.".to_owned());
+            found.note =
+                Some(said!("Counts and a light: the response of an instrument.").to_owned());
             Ok(found)
         }
         (Light | Counts, y) if y.is_factor() => Ok(outcome(text, a.quantity, &a.unit, a)),
@@ -382,9 +446,12 @@ fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
             Ok(outcome(text, quantity, "fraction", a))
         }
         (Number, y) if y.is_factor() => Ok(outcome(text, Factor, "factor", a)),
-        (x, y) => meaningless(format!(
-            "{} is {x} and {} {y}: a quotient of the two means nothing.",
-            a.text, b.text
+        (x, y) => meaningless(tr!(
+            "{a} is {x} and {b} {y}: a quotient of the two means nothing.",
+            a = a.text,
+            x,
+            b = b.text,
+            y
         )),
     }
 }
@@ -403,11 +470,15 @@ pub(super) fn absorbance_of(a: &Meaning) -> Result<Meaning, MeasurementError> {
     match a.quantity {
         Quantity::Number => Ok(found(Quantity::Number)),
         quantity if quantity.is_factor() => Ok(found(Quantity::Absorbance)),
-        quantity => meaningless(format!(
-            "{}{} has no absorbance. Divide it by a reference first.",
-            quantity.to_string()[..1].to_uppercase(),
-            &quantity.to_string()[1..]
-        )),
+        Quantity::Light => meaningless(
+            said!("A light has no absorbance. Divide it by a reference first.").to_owned(),
+        ),
+        Quantity::Counts => meaningless(
+            said!("Counts has no absorbance. Divide it by a reference first.").to_owned(),
+        ),
+        _ => meaningless(
+            said!("An absorbance has no absorbance. Divide it by a reference first.").to_owned(),
+        ),
     }
 }
 

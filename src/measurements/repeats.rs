@@ -56,20 +56,19 @@ pub enum RepeatsError {
 impl fmt::Display for RepeatsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { scans: 2 } => f.write_str(
-                "Two scans tell no spread worth the name. Add one more, or state the instrument's \
-                 noise.",
-            ),
-            Self::TooFew { .. } => f.write_str(
-                "One scan has no spread. Add two more, or state the instrument's noise.",
-            ),
+            Self::TooFew { scans: 2 } => f.write_str(said!(
+                "Two scans tell no spread worth the name. Add one more, or state the \
+                     instrument's noise."
+            )),
+            Self::TooFew { .. } => f.write_str(said!(
+                "One scan has no spread. Add two more, or state the instrument's noise."
+            )),
             Self::Apart(why) => why.fmt(f),
-            Self::Unlike { first, other } => {
-                write!(
-                    f,
-                    "found {first} beside {other}, expected scans of one quantity and unit"
-                )
-            }
+            Self::Unlike { first, other } => f.write_str(&tr!(
+                "found {first} beside {other}, expected scans of one quantity and unit",
+                first,
+                other
+            )),
         }
     }
 }

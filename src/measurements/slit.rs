@@ -9,7 +9,7 @@ use super::{
     kernel::{Kernel, Slit},
     measurement::Measurement,
 };
-use crate::spectrum::Sampled;
+use crate::{languages::with_sign, spectrum::Sampled};
 
 /// Resamples a measurement at some wavelengths by weighted sums.
 fn weighed(
@@ -99,16 +99,17 @@ fn memory_behind(weights: &[f64], memory: &[f64]) -> Vec<f64> {
 pub fn smoothed(of: &Measurement, slit: Slit) -> Result<Measurement, MeasurementError> {
     let have = of.slit.map_or(0.0, |slit| slit.fwhm_nm);
     if !slit.fwhm_nm.is_finite() || slit.fwhm_nm <= 0.0 {
-        return Err(MeasurementError::Meaningless(format!(
-            "found a slit of {} nm, expected a width above 0",
-            slit.fwhm_nm
+        return Err(MeasurementError::Meaningless(tr!(
+            "found a slit of {width} nm, expected a width above 0",
+            width = with_sign(slit.fwhm_nm.to_string())
         )));
     }
     if have >= slit.fwhm_nm {
-        return Err(MeasurementError::Meaningless(format!(
-            "This light was seen through {have} nm: it cannot be shown as a {} nm instrument \
-             would see it.",
-            slit.fwhm_nm
+        return Err(MeasurementError::Meaningless(tr!(
+            "This light was seen through {have} nm: it cannot be shown as a {wanted} nm \
+             instrument would see it.",
+            have = with_sign(have.to_string()),
+            wanted = with_sign(slit.fwhm_nm.to_string())
         )));
     }
     let missing = Slit {
@@ -143,9 +144,11 @@ pub fn resampled(
     let inside = target_nm.iter().copied();
     let inside: Vec<f64> = inside.filter(|nm| (first..=last).contains(nm)).collect();
     if inside.len() < 2 {
-        return Err(MeasurementError::Apart(format!(
-            "found {} points of the grid within {first}-{last} nm, expected at least 2",
-            inside.len()
+        return Err(MeasurementError::Apart(tr!(
+            "found {points} points of the grid within {first}-{last} nm, expected at least 2",
+            points = inside.len(),
+            first = with_sign(first.to_string()),
+            last = with_sign(last.to_string())
         )));
     }
     let mut steps: Vec<f64> = inside.windows(2).map(|w| w[1] - w[0]).collect();

@@ -108,7 +108,8 @@ pub fn slit_of(of: &Measurement, shape: Kernel) -> Result<SlitFound, Measurement
     });
     told.ok_or_else(|| {
         MeasurementError::Meaningless(
-            "No line without width was found: the slit cannot be told. Give its width.".to_owned(),
+            said!("No line without width was found: the slit cannot be told. Give its width.")
+                .to_owned(),
         )
     })
 }

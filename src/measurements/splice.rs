@@ -11,7 +11,10 @@ use super::{
     noise::noise_of,
     union::Union,
 };
-use crate::spectrum::{Band, Outside, Sampled, SpikeSettings, detect};
+use crate::{
+    languages::{fixed, with_sign},
+    spectrum::{Band, Outside, Sampled, SpikeSettings, detect},
+};
 
 /// Least overlap, nm.
 const LEAST_OVERLAP_NM: f64 = 20.0;
@@ -72,9 +75,10 @@ pub fn splice(
     axis_is_sound: bool,
 ) -> Result<Spliced, MeasurementError> {
     if first.quantity != second.quantity {
-        return Err(MeasurementError::Meaningless(format!(
-            "A is {} and B {}: ranges of one light are of one quantity.",
-            first.quantity, second.quantity
+        return Err(MeasurementError::Meaningless(tr!(
+            "A is {first} and B {second}: ranges of one light are of one quantity.",
+            first = first.quantity,
+            second = second.quantity
         )));
     }
     let overlap = overlap_of([first, second])?;
@@ -95,9 +99,9 @@ pub fn splice(
     }
     let worst = found.u[0].max(found.u[1]);
     if worst.is_nan() || worst > MOST_U {
-        return Err(MeasurementError::AllMasked(format!(
-            "The overlap is too dark: the level of the second part is known to {:.0} % only.",
-            (100.0 * worst).min(999.0).ceil()
+        return Err(MeasurementError::AllMasked(tr!(
+            "The overlap is too dark: the level of the second part is known to {doubt} % only.",
+            doubt = fixed((100.0 * worst).min(999.0).ceil(), 0)
         )));
     }
     let [level, slope, shift_nm] = found.values;
@@ -121,17 +125,29 @@ fn overlap_of(parts: [&Measurement; 2]) -> Result<[f64; 2], MeasurementError> {
         return Ok(overlap);
     }
     let (lower, upper) = if from[0] <= from[1] { (0, 1) } else { (1, 0) };
-    let shares = match shared > 0.0 {
-        true => format!("they share {shared} nm; {LEAST_OVERLAP_NM} are needed."),
-        false => "they share no wavelengths.".to_owned(),
-    };
-    Err(MeasurementError::Apart(format!(
-        "{} ends at {} nm and {} begins at {} nm: {shares}",
-        letter(lower),
-        to[lower],
-        letter(upper),
-        from[upper]
-    )))
+    let nm = |nm: f64| with_sign(nm.to_string());
+    let (first, second) = (letter(lower), letter(upper));
+    let (end, begin) = (nm(to[lower]), nm(from[upper]));
+    Err(MeasurementError::Apart(match shared > 0.0 {
+        true => tr!(
+            "{first} ends at {end} nm and {second} begins at {begin} nm: they share {shared} nm; \
+             {least} are needed.",
+            first,
+            end,
+            second,
+            begin,
+            shared = nm(shared),
+            least = nm(LEAST_OVERLAP_NM)
+        ),
+        false => tr!(
+            "{first} ends at {end} nm and {second} begins at {begin} nm: they share no \
+             wavelengths.",
+            first,
+            end,
+            second,
+            begin
+        ),
+    }))
 }
 
 /// True if both parts have a line at the same place within the overlap.
@@ -199,7 +215,8 @@ impl<'m> Overlap<'m> {
     fn fitted(&self, free: Free) -> Result<Fitted, MeasurementError> {
         let dark = || {
             MeasurementError::AllMasked(
-                "The overlap is too dark: the level of the second part is not known.".to_owned(),
+                said!("The overlap is too dark: the level of the second part is not known.")
+                    .to_owned(),
             )
         };
         let second = |at: f64, d: f64| self.second.at(at + d, Outside::Hold);

@@ -1,5 +1,7 @@
 //! The grid on which a combination of tables is exact.
 
+use crate::languages::with_sign;
+
 use super::{
     error::MeasurementError,
     measurement::{Measurement, letter},
@@ -111,17 +113,18 @@ fn apart(parts: &[&Measurement]) -> MeasurementError {
     for (first, a) in parts.iter().enumerate() {
         for (second, b) in parts.iter().enumerate() {
             if a.samples.last_nm() <= b.samples.first_nm() && first != second {
-                return MeasurementError::Apart(format!(
-                    "{} ends at {} nm and {} begins at {} nm: they share no wavelengths.",
-                    letter(first),
-                    a.samples.last_nm(),
-                    letter(second),
-                    b.samples.first_nm()
+                return MeasurementError::Apart(tr!(
+                    "{first} ends at {end} nm and {second} begins at {begin} nm: they share no \
+                     wavelengths.",
+                    first = letter(first),
+                    end = with_sign(a.samples.last_nm().to_string()),
+                    second = letter(second),
+                    begin = with_sign(b.samples.first_nm().to_string())
                 ));
             }
         }
     }
-    MeasurementError::Apart("They share no wavelengths.".to_owned())
+    MeasurementError::Apart(said!("They share no wavelengths.").to_owned())
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ use crate::{
         Observer, Xyz, delta_e_of_xyz,
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
+    languages::with_sign,
     spectrum::{Band, Outside, Sampled, SpikeSettings, detect, gaussian},
 };
 
@@ -69,9 +70,11 @@ pub fn unslit(of: &Measurement, slit: Slit) -> Result<Unslit, MeasurementError> 
     let samples = &of.samples;
     let reach = samples.last_nm() - samples.first_nm();
     if !(slit.fwhm_nm > 0.0 && 4.0 * slit.fwhm_nm < reach) {
-        return Err(MeasurementError::Meaningless(format!(
-            "found a slit of {} nm on {reach} nm, expected a width above 0 and below a quarter",
-            slit.fwhm_nm
+        return Err(MeasurementError::Meaningless(tr!(
+            "found a slit of {width} nm on {reach} nm, expected a width above 0 and below a \
+             quarter",
+            width = with_sign(slit.fwhm_nm.to_string()),
+            reach = with_sign(reach.to_string())
         )));
     }
     let sigma = of.sigma.clone().or_else(|| noise_behind(samples, slit));

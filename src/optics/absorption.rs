@@ -1,6 +1,9 @@
 //! Loss along a path through a body.
 
-use crate::spectrum::{Outside, Sampled};
+use crate::{
+    languages::with_sign,
+    spectrum::{Outside, Sampled},
+};
 
 /// A transmittance below this counts as this: what lets nothing through has no coefficient.
 const LEAST_TRANSMITTANCE: f64 = 1e-6;
@@ -26,10 +29,22 @@ pub enum Absorption {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AbsorptionError {
     /// A coefficient that is negative or not finite.
-    #[error("absorption: expected a number from 0 to 1e6 per unit of length, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "absorption: expected a number from 0 to 1e6 per unit of length, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Coefficient { found: f64 },
     /// A thickness that is not above 0.
-    #[error("thickness: expected a length above 0, up to 1e6, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "thickness: expected a length above 0, up to 1e6, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Thickness { found: f64 },
 }
 

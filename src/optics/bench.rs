@@ -8,6 +8,8 @@
 
 use serde::Serialize;
 
+use crate::languages::{fixed, said, with_sign};
+
 use super::{
     absorption::Absorption,
     index::Material,
@@ -147,19 +149,32 @@ pub enum BenchError {
     #[error(transparent)]
     Prism(#[from] PrismError),
     /// An invalid length.
-    #[error("{what}: expected a length above 0 and up to 1e6 mm, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "{what}: expected a length above 0 and up to 1e6 mm, found {found}",
+            what = said(*what),
+            found = with_sign(found.to_string())
+        )
+    )]
     Length { what: &'static str, found: f64 },
     /// All light is totally reflected.
-    #[error("no light leaves: {}", why_dark(.0))]
+    #[error("{}", tr!("no light leaves: {why}", why = why_dark(.0)))]
     NoLight(Limits),
 }
 
 fn why_dark(limits: &Limits) -> String {
     match limits.smallest_incidence_deg {
-        Some(smallest) => format!("incidence below the smallest that passes ({smallest:.1})"),
+        Some(smallest) => tr!(
+            "incidence below the smallest that passes ({smallest})",
+            smallest = fixed(smallest, 1)
+        ),
         None => {
             let largest = limits.largest_apex_deg;
-            format!("apex above twice the critical angle ({largest:.1})")
+            tr!(
+                "apex above twice the critical angle ({largest})",
+                largest = fixed(largest, 1)
+            )
         }
     }
 }
@@ -208,9 +223,9 @@ impl Bench {
     /// [`BenchError`] for angles and lengths out of range, and when nothing of 380-780 nm leaves.
     pub fn new(settings: BenchSettings, material: Material) -> Result<Self, BenchError> {
         for (what, length) in [
-            ("distance from the apex", settings.entry_mm),
-            ("distance of the screen", settings.screen_mm),
-            ("slit", settings.slit_mm),
+            (later!("distance from the apex"), settings.entry_mm),
+            (later!("distance of the screen"), settings.screen_mm),
+            (later!("slit"), settings.slit_mm),
         ] {
             if !(length > 0.0 && length <= LONGEST_MM) {
                 return Err(BenchError::Length {

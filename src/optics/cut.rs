@@ -5,6 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::languages::{said, with_sign};
+
 use super::solid::{HalfSpace, Solid, SolidError};
 
 /// Parameters of a round brilliant; lengths are shares of the girdle's radius or diameter.
@@ -45,14 +47,22 @@ impl Default for Brilliant {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CutError {
     /// A parameter out of its range.
-    #[error("{what}: expected {expected}, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "{what}: expected {expected}, found {found}",
+            what = said(*what),
+            expected = said(*expected),
+            found = with_sign(found.to_string())
+        )
+    )]
     Range {
         what: &'static str,
         expected: &'static str,
         found: f64,
     },
     /// Facets that others cut away.
-    #[error("the {name} {} with this {by}", if .name.ends_with('s') { "vanish" } else { "vanishes" })]
+    #[error("{}", lost(name, by))]
     Lost {
         name: &'static str,
         by: &'static str,
@@ -60,6 +70,23 @@ pub enum CutError {
     /// The planes make no body.
     #[error(transparent)]
     Solid(#[from] SolidError),
+}
+
+fn lost(name: &str, by: &str) -> String {
+    let words = match name {
+        "table" => said!("the table vanishes with this table and crown"),
+        "crown mains" => said!("the crown mains vanish with this table and crown"),
+        "stars" => said!("the stars vanish with this table and crown"),
+        "upper halves" => said!("the upper halves vanish with this crown and stars"),
+        "girdle facets" => said!("the girdle facets vanish with this table and crown"),
+        "pavilion mains" => {
+            said!("the pavilion mains vanish with this pavilion and lower halves")
+        }
+        "lower halves" => said!("the lower halves vanish with this pavilion and lower halves"),
+        "culet" => said!("the culet vanishes with this culet and pavilion"),
+        other => return format!("the {other} vanishes with this {by}"),
+    };
+    words.to_owned()
 }
 
 const SIXTEENTH_DEG: f64 = 22.5;
@@ -93,24 +120,27 @@ impl Brilliant {
 
     fn in_range(&self) -> Result<(), CutError> {
         type Range = (&'static str, fn(f64) -> bool);
-        const SHARE: Range = ("a number between 0 and 1, both left out", |v| {
+        const SHARE: Range = (later!("a number between 0 and 1, both left out"), |v| {
             v > 0.0 && v < 1.0
         });
-        const SLOPE: Range = ("an angle between 0 and 89 degrees, 0 left out", |v| {
-            v > 0.0 && v <= 89.0
-        });
-        const GIRDLE: Range = ("a share of the diameter above 0, up to 0.5", |v| {
+        const SLOPE: Range = (
+            later!("an angle between 0 and 89 degrees, 0 left out"),
+            |v| v > 0.0 && v <= 89.0,
+        );
+        const GIRDLE: Range = (later!("a share of the diameter above 0, up to 0.5"), |v| {
             v > 0.0 && v <= 0.5
         });
-        const CULET: Range = ("a number from 0, below 1", |v| (0.0..1.0).contains(&v));
+        const CULET: Range = (later!("a number from 0, below 1"), |v| {
+            (0.0..1.0).contains(&v)
+        });
         for (what, found, (expected, fits)) in [
-            ("table", self.table, SHARE),
-            ("crown", self.crown_deg, SLOPE),
-            ("pavilion", self.pavilion_deg, SLOPE),
-            ("star", self.star, SHARE),
-            ("lower", self.lower, SHARE),
-            ("girdle", self.girdle, GIRDLE),
-            ("culet", self.culet, CULET),
+            (later!("table"), self.table, SHARE),
+            (later!("crown"), self.crown_deg, SLOPE),
+            (later!("pavilion"), self.pavilion_deg, SLOPE),
+            (later!("star"), self.star, SHARE),
+            (later!("lower"), self.lower, SHARE),
+            (later!("girdle"), self.girdle, GIRDLE),
+            (later!("culet"), self.culet, CULET),
         ] {
             if !fits(found) {
                 return Err(CutError::Range {

@@ -45,19 +45,42 @@ const RAYS_A_ROUND: u32 = 256;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FilmError {
     /// A side out of range.
-    #[error("size: expected {} to {} pixels, found {found}", SIZES.start(), SIZES.end())]
+    #[error(
+        "{}",
+        tr!(
+            "size: expected {least} to {most} pixels, found {found}",
+            least = SIZES.start(),
+            most = SIZES.end(),
+            found
+        )
+    )]
     Size { found: usize },
     /// A count of strata out of range.
-    #[error("strata: expected 4 to 400, found {found}")]
+    #[error("{}", tr!("strata: expected 4 to 400, found {found}", found))]
     Strata { found: usize },
     /// A count of rays out of range.
-    #[error("rays: expected {} to {} a pixel, found {found}", RAYS.start(), RAYS.end())]
+    #[error(
+        "{}",
+        tr!(
+            "rays: expected {least} to {most} a pixel, found {found}",
+            least = RAYS.start(),
+            most = RAYS.end(),
+            found
+        )
+    )]
     Rays { found: u32 },
     /// The film would not fit.
-    #[error("expected a film of at most {} MB, found one of {} MB", MOST_BYTES >> 20, .bytes >> 20)]
+    #[error(
+        "{}",
+        tr!(
+            "expected a film of at most {most} MB, found one of {found} MB",
+            most = MOST_BYTES >> 20,
+            found = bytes >> 20
+        )
+    )]
     Memory { bytes: usize },
     /// It was asked to stop; what was traced is kept.
-    #[error("cancelled")]
+    #[error("{}", said!("cancelled"))]
     Cancelled,
 }
 

@@ -160,7 +160,7 @@ impl Material {
             absolute: false,
             ends: false,
         };
-        let source = "two numbers, Cauchy's formula through both";
+        let source = later!("two numbers, Cauchy's formula through both");
         let name = format!("n_d {n_d}, V_d {v_d}");
         Ok(Self::of(&name, source, None, dispersion))
     }

@@ -31,13 +31,16 @@ pub struct Light {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LightError {
     /// Not one value per grid point.
-    #[error("expected {expected} values of a light, found {found}")]
+    #[error("{}", tr!("expected {expected} values of a light, found {found}", expected, found))]
     Values { expected: usize, found: usize },
     /// A value, place or weight that is no finite number.
-    #[error("expected finite numbers of a light, found others")]
+    #[error("{}", said!("expected finite numbers of a light, found others"))]
     NotFinite,
     /// Nothing shines between 380 and 780 nm.
-    #[error("{name}: expected a light with power between 380 and 780 nm, found none")]
+    #[error(
+        "{}",
+        tr!("{name}: expected a light with power between 380 and 780 nm, found none", name)
+    )]
     Dark { name: String },
 }
 

@@ -60,14 +60,14 @@ impl BuiltinMaterial {
     /// The name that people read.
     pub(crate) fn title(self) -> &'static str {
         match self {
-            Self::Diamond => "diamond",
-            Self::Zirconia => "cubic zirconia",
-            Self::Sapphire => "sapphire",
-            Self::NBk7 => "N-BK7, crown glass",
-            Self::NSf11 => "N-SF11, heavy flint glass",
-            Self::NSf10 => "N-SF10, flint glass",
-            Self::Silica => "fused silica",
-            Self::Water => "water",
+            Self::Diamond => said!("diamond"),
+            Self::Zirconia => said!("cubic zirconia"),
+            Self::Sapphire => said!("sapphire"),
+            Self::NBk7 => said!("N-BK7, crown glass"),
+            Self::NSf11 => said!("N-SF11, heavy flint glass"),
+            Self::NSf10 => said!("N-SF10, flint glass"),
+            Self::Silica => said!("fused silica"),
+            Self::Water => said!("water"),
         }
     }
 
@@ -80,13 +80,13 @@ impl BuiltinMaterial {
     pub fn material(self) -> Material {
         match self {
             Self::Diamond => Material::sellmeier(
-                "diamond",
+                later!("diamond"),
                 "Peter 1923",
                 [226.0, 760.0],
                 &squared([[0.3306, 0.1750], [4.3356, 0.1060]]),
             ),
             Self::Zirconia => Material::sellmeier(
-                "cubic zirconia",
+                later!("cubic zirconia"),
                 "Wood & Nassau 1982, 12 % Y2O3",
                 [361.0, 5135.0],
                 &squared([
@@ -96,7 +96,7 @@ impl BuiltinMaterial {
                 ]),
             ),
             Self::Sapphire => Material::sellmeier(
-                "sapphire (ordinary ray)",
+                later!("sapphire (ordinary ray)"),
                 "Malitson & Dodge 1972",
                 [200.0, 5000.0],
                 &squared([
@@ -136,7 +136,7 @@ impl BuiltinMaterial {
                 ],
             ),
             Self::Silica => Material::sellmeier(
-                "fused silica",
+                later!("fused silica"),
                 "Malitson 1965, 20 C",
                 [210.0, 3710.0],
                 &squared([
@@ -146,7 +146,7 @@ impl BuiltinMaterial {
                 ]),
             ),
             Self::Water => Material::absolute(
-                "water",
+                later!("water"),
                 "Daimon & Masumura 2007, 20 C, against vacuum",
                 [182.0, 1129.0],
                 &[

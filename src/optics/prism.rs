@@ -4,6 +4,8 @@
 //! `r2 = A - r1`, `sin i2 = n sin r2`, deviation `D = i1 + i2 - A`. Polarisations go through both
 //! faces apart. Angles are degrees in what is public.
 
+use crate::languages::{fixed, with_sign};
+
 use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// Incidence of the light on the first face.
@@ -67,14 +69,32 @@ pub struct Limits {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PrismError {
     /// An invalid apex.
-    #[error("apex: expected an angle above 0 and below 180 degrees, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "apex: expected an angle above 0 and below 180 degrees, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Apex { found: f64 },
     /// An incidence from behind.
-    #[error("incidence: expected an angle above -90 and below 90 degrees, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "incidence: expected an angle above -90 and below 90 degrees, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Incidence { found: f64 },
     /// No ray of the wavelength has a least deviation: it is totally reflected.
     #[error(
-        "no light of {at_nm} nm leaves: apex above twice the critical angle ({largest_apex_deg:.1})"
+        "{}",
+        tr!(
+            "no light of {at_nm} nm leaves: apex above twice the critical angle \
+             ({largest_apex_deg})",
+            at_nm = with_sign(at_nm.to_string()),
+            largest_apex_deg = fixed(largest_apex_deg, 1)
+        )
     )]
     NoMinimum { at_nm: f64, largest_apex_deg: f64 },
     /// The index is not known.

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::languages::with_sign;
+
 use super::solid::{Solid, Vec3, cross, dot, is_near, minus, plus, unit};
 
 /// A rectangle that shines on one side, black behind.
@@ -54,25 +56,43 @@ pub struct Camera {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A place or direction that is not finite, or the same twice.
-    #[error("view: expected a camera and another place it looks at, found {what}")]
+    #[error("{}", tr!("view: expected a camera and another place it looks at, found {what}", what))]
     View { what: &'static str },
     /// An invalid angle.
-    #[error("angle: expected an angle above 0 and below 180 degrees, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "angle: expected an angle above 0 and below 180 degrees, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Angle { found: f64 },
     /// The camera is inside the gem or on it.
-    #[error("view: expected a camera outside the gem, found it inside")]
+    #[error("{}", said!("view: expected a camera outside the gem, found it inside"))]
     Inside,
     /// A lamp's back hides the gem.
-    #[error("view: expected a free view of the gem, found the camera behind lamp {number}")]
+    #[error(
+        "{}",
+        tr!("view: expected a free view of the gem, found the camera behind lamp {number}", number)
+    )]
     BehindLamp { number: usize },
     /// A lamp that is no rectangle or shines with what is no radiance.
-    #[error("lamp {number}: expected a rectangle and a radiance from 0, found none")]
+    #[error(
+        "{}",
+        tr!("lamp {number}: expected a rectangle and a radiance from 0, found none", number)
+    )]
     Lamp { number: usize },
     /// A lamp reaches into the gem.
-    #[error("lamp {number}: expected it outside the gem, found it inside")]
+    #[error("{}", tr!("lamp {number}: expected it outside the gem, found it inside", number))]
     LampInGem { number: usize },
     /// A dome that shines with what is no radiance.
-    #[error("dome: expected a radiance from 0 to 1e6, found {found}")]
+    #[error(
+        "{}",
+        tr!(
+            "dome: expected a radiance from 0 to 1e6, found {found}",
+            found = with_sign(found.to_string())
+        )
+    )]
     Dome { found: f64 },
 }
 
@@ -215,7 +235,7 @@ impl View {
     fn camera(&self) -> Result<Camera, SceneError> {
         if !is_near(self.from) || !is_near(self.towards) {
             return Err(SceneError::View {
-                what: "numbers that are not finite or above 1e6",
+                what: said!("numbers that are not finite or above 1e6"),
             });
         }
         if !(self.angle_deg > 0.0 && self.angle_deg < 180.0) {
@@ -225,7 +245,7 @@ impl View {
         }
         let forward = unit(minus(self.towards, self.from));
         let forward = forward.ok_or(SceneError::View {
-            what: "both at one place",
+            what: said!("both at one place"),
         })?;
         // Straight from above or below any side may be up: y.
         let up = match forward[2].abs() > 1.0 - 1e-9 {
@@ -233,7 +253,7 @@ impl View {
             false => [0.0, 0.0, 1.0],
         };
         let right = unit(cross(forward, up)).ok_or(SceneError::View {
-            what: "no direction",
+            what: said!("no direction"),
         })?;
         let tangent = (0.5 * self.angle_deg).to_radians().tan();
         Ok(Camera {

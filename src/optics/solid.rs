@@ -1,5 +1,7 @@
 //! A convex body as the half-spaces `n . x <= d` that it is the intersection of.
 
+use crate::languages::said;
+
 /// A point or direction.
 pub(crate) type Vec3 = [f64; 3];
 
@@ -70,16 +72,25 @@ pub struct Solid {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// A half-space that has fewer than three corners.
-    #[error("expected a facet for each plane, found none for the {name}")]
+    #[error(
+        "{}",
+        tr!("expected a facet for each plane, found none for the {name}", name = said(*name))
+    )]
     LostFacet { name: &'static str },
     /// The half-spaces do not close, or close beyond a thousand units.
-    #[error("expected a closed body, found the {name} open")]
+    #[error("{}", tr!("expected a closed body, found the {name} open", name = said(*name)))]
     Open { name: &'static str },
     /// Corners or edges so near to one another that they cannot be told apart.
-    #[error("expected facets that can be told apart, found some that all but coincide")]
+    #[error(
+        "{}",
+        said!("expected facets that can be told apart, found some that all but coincide")
+    )]
     Degenerate,
     /// Too few or too many half-spaces, or one that is no plane.
-    #[error("expected 4 to {MOST_PLANES} planes, found {found}")]
+    #[error(
+        "{}",
+        tr!("expected 4 to {most} planes, found {found}", most = MOST_PLANES, found)
+    )]
     Planes { found: usize },
 }
 

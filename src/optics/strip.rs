@@ -11,6 +11,7 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz},
+    languages::fixed,
     spectrum::Line,
 };
 
@@ -134,13 +135,17 @@ impl Bench {
     /// The totally reflected wavelengths, in words.
     pub(crate) fn reflected_words(&self) -> Option<String> {
         let words = |[from, to]: &[f64; 2]| match (*from <= SEEN_NM[0], *to >= SEEN_NM[1]) {
-            (true, _) => format!("{to:.1} nm and shorter"),
-            (false, true) => format!("{from:.1} nm and longer"),
-            (false, false) => format!("{from:.1} to {to:.1} nm"),
+            (true, _) => tr!("{to} nm and shorter", to = fixed(to, 1)),
+            (false, true) => tr!("{from} nm and longer", from = fixed(from, 1)),
+            (false, false) => tr!(
+                "{from} to {to} nm",
+                from = fixed(from, 1),
+                to = fixed(to, 1)
+            ),
         };
         let all: Vec<String> = self.reflected_nm().iter().map(words).collect();
-        let all = all.join(", and ");
-        (!all.is_empty()).then(|| format!("{all} are totally reflected"))
+        let all = all.join(said!(", and "));
+        (!all.is_empty()).then(|| tr!("{ranges} are totally reflected", ranges = all))
     }
 
     /// Puts a light onto a screen. Columns beyond [`MOST_COLUMNS`] are left away.

@@ -43,16 +43,16 @@ impl Lamp {
     /// Name, also on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Fluorescent => "fluorescent",
-            Self::Mercury => "mercury",
-            Self::Sodium => "sodium",
-            Self::Neon => "neon",
-            Self::Argon => "argon",
-            Self::Krypton => "krypton",
-            Self::Xenon => "xenon",
-            Self::Hydrogen => "hydrogen",
-            Self::Helium => "helium",
-            Self::Daylight => "daylight",
+            Self::Fluorescent => later!("fluorescent"),
+            Self::Mercury => later!("mercury"),
+            Self::Sodium => later!("sodium"),
+            Self::Neon => later!("neon"),
+            Self::Argon => later!("argon"),
+            Self::Krypton => later!("krypton"),
+            Self::Xenon => later!("xenon"),
+            Self::Hydrogen => later!("hydrogen"),
+            Self::Helium => later!("helium"),
+            Self::Daylight => later!("daylight"),
         }
     }
 

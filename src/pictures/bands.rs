@@ -1,7 +1,10 @@
 //! The wavelengths of a picture: how a spectrum goes on between them, and which are kept.
 
-use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Line, Outside, Sampled};
+use crate::{
+    color::xyz::{FIRST_NM, LAST_NM},
+    languages::with_sign,
+};
 
 use super::PictureError;
 
@@ -226,10 +229,10 @@ impl KeptBands {
         let is_missing = |band: &usize| missing.get(*band).is_some_and(|m| *m > MOST_MISSING);
         let (gone, mut kept): (Vec<usize>, Vec<usize>) = (0..nm.len()).partition(is_missing);
         if !gone.is_empty() {
-            notes.push(format!(
-                "{} of {} bands left out: bad, or missing in more than half of the pixels",
-                gone.len(),
-                nm.len()
+            notes.push(tr!(
+                "{out} of {all} bands left out: bad, or missing in more than half of the pixels",
+                out = gone.len(),
+                all = nm.len()
             ));
         }
         let (low, high) = (f64::from(FIRST_NM), f64::from(LAST_NM));
@@ -239,9 +242,9 @@ impl KeptBands {
             let seen = |band: &usize| (low..=high).contains(&nm[*band]);
             let count = kept.iter().filter(|band| seen(band)).count();
             if unseen > MOST_UNSEEN * (last - first) && count >= 3 {
-                notes.push(format!(
-                    "only what is seen: {} bands outside 360-830 nm left out",
-                    kept.len() - count
+                notes.push(tr!(
+                    "only what is seen: {count} bands outside 360-830 nm left out",
+                    count = kept.len() - count
                 ));
                 kept.retain(seen);
             }
@@ -255,8 +258,10 @@ impl KeptBands {
         }
         let merged = of.iter().filter(|group| group.len() > 1).count();
         if merged > 0 {
-            notes.push(format!(
-                "bands within {CLOSE_NM} nm of one another averaged, {merged} times"
+            notes.push(tr!(
+                "bands within {near} nm of one another averaged, {merged} times",
+                near = with_sign(CLOSE_NM.to_string()),
+                merged
             ));
         }
         let mean =

@@ -218,17 +218,17 @@ fn references(
     known: Option<&Illuminant>,
     fixed: Option<ReferenceKind>,
 ) -> Result<Vec<Reference>, PictureError> {
-    let of = |kind: ReferenceKind| {
-        match (kind, known) {
+    let of = |kind: ReferenceKind| match (kind, known) {
         (ReferenceKind::One, _) => Ok(Reference::one(bands)),
         (ReferenceKind::Mean, _) => Reference::of_mean(&survey.mean),
         (ReferenceKind::Light, Some(light)) => Reference::of_light(bands, light),
         (ReferenceKind::Light, None) => Err(PictureError::NoRelighting(
-            "expected a picture of light and the light that lit it for a light as reference, found \
-             none"
-                .to_owned(),
+            said!(
+                "expected a picture of light and the light that lit it for a light as reference, \
+                 found none"
+            )
+            .to_owned(),
         )),
-    }
     };
     if let Some(kind) = fixed {
         return Ok(vec![of(kind)?]);

@@ -40,20 +40,27 @@ impl EnviFile {
     pub fn open(path: &Path, all: bool, kind: Option<Kind>) -> Result<Self, PictureError> {
         let trouble = |error: crate::io::ReadError| PictureError::Trouble(error.to_string());
         let header_path = envi::header_at(path).ok_or_else(|| {
-            PictureError::broken("data by themselves", "an ENVI header beside them")
+            PictureError::broken(
+                said!("data by themselves"),
+                said!("an ENVI header beside them"),
+            )
         })?;
         let header = envi::read_header(&header_path).map_err(trouble)?;
-        let need = (header.bytes())
-            .ok_or_else(|| PictureError::broken("a size beyond counting", "a cube"))?;
+        let need = (header.bytes()).ok_or_else(|| {
+            PictureError::broken(said!("a size beyond counting"), said!("a cube"))
+        })?;
         let data = envi::place_of_data(&header_path, need).ok_or_else(|| {
-            PictureError::broken("an ENVI header by itself", "its data beside it")
+            PictureError::broken(
+                said!("an ENVI header by itself"),
+                said!("its data beside it"),
+            )
         })?;
         let file = File::open(&data)?;
         let found = file.metadata()?.len();
         if found < need as u64 || header.is_library {
             return Err(PictureError::broken(
-                format!("{found} bytes"),
-                format!("a cube of {need} bytes"),
+                tr!("{found} bytes", found),
+                tr!("a cube of {need} bytes", need),
             ));
         }
         let channels = envi::channels(&header, None).map_err(trouble)?;

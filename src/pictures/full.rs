@@ -143,12 +143,17 @@ pub fn write_full<W: Write + Seek>(
 /// [`PictureError::Broken`] with what is wrong, and [`PictureError::Memory`] for more than a file
 /// of its size may take.
 pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
-    let broken = |_| PictureError::broken("a broken OpenEXR image", "one that can be decoded");
+    let broken = |_| {
+        PictureError::broken(
+            said!("a broken OpenEXR image"),
+            said!("one that can be decoded"),
+        )
+    };
     let image = ExrImage::open(bytes).map_err(broken)?;
     let [layer] = &image.layers[..] else {
         return Err(PictureError::broken(
-            format!("{} layers", image.layers.len()),
-            "one layer",
+            tr!("{layers} layers", layers = image.layers.len()),
+            said!("one layer"),
         ));
     };
     let header = checked(layer)?;
@@ -185,14 +190,22 @@ pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
 fn checked(layer: &ExrLayer) -> Result<Header, PictureError> {
     let text = layer.text(ATTRIBUTE).ok_or_else(|| {
         PictureError::broken(
-            "an OpenEXR image without the attribute compositePicture",
-            "a composite picture",
+            said!("an OpenEXR image without the attribute compositePicture"),
+            said!("a composite picture"),
         )
     })?;
     let header = Header::from_json(text)?;
     if layer.is_deep || layer.size != (header.width, header.height) {
-        let found = format!("{} x {} pixels", layer.size.0, layer.size.1);
-        let expected = format!("the header's {} x {}", header.width, header.height);
+        let found = tr!(
+            "{width} x {height} pixels",
+            width = layer.size.0,
+            height = layer.size.1
+        );
+        let expected = tr!(
+            "the header's {width} x {height}",
+            width = header.width,
+            height = header.height
+        );
         return Err(PictureError::broken(found, expected));
     }
     let mut names: Vec<&str> = layer.channels.iter().map(|c| &*c.name).collect();
@@ -201,15 +214,15 @@ fn checked(layer: &ExrLayer) -> Result<Header, PictureError> {
     if !expected.iter().map(|(name, _)| name).eq(names)
         || layer.channels.iter().any(|channel| !channel.is_full)
     {
-        let found = format!("{} channels", layer.channels.len());
+        let found = tr!("{channels} channels", channels = layer.channels.len());
         let expected = format!("B, G, R and CS.000 to CS.{:03}", header.numbers - 1);
         return Err(PictureError::broken(found, expected));
     }
     let of_planes = |name: &str| name.starts_with("CS.");
     if (layer.channels.iter()).any(|channel| channel.is_whole && of_planes(&channel.name)) {
         return Err(PictureError::broken(
-            "a channel of other numbers",
-            "half or float",
+            said!("a channel of other numbers"),
+            said!("half or float"),
         ));
     }
     Ok(header)

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::color::Observer;
 use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Sampled};
+use crate::{color::Observer, languages::with_sign};
 
 use super::measure::Errors;
 use super::plan::Reference;
@@ -196,7 +196,10 @@ impl Header {
     /// [`PictureError::Broken`] with what is wrong.
     pub fn from_json(text: &str) -> Result<Self, PictureError> {
         let value: Value = serde_json::from_str(text).map_err(|error| {
-            PictureError::broken(format!("a header that is no JSON ({error})"), "one")
+            PictureError::broken(
+                tr!("a header that is no JSON ({error})", error),
+                said!("one"),
+            )
         })?;
         let format = value.get("format").and_then(Value::as_str).unwrap_or("");
         if format != FORMAT {
@@ -208,15 +211,17 @@ impl Header {
         match value.get("version").and_then(Value::as_u64) {
             Some(1..=VERSION) => {}
             found => {
-                let found = found.map_or("no version".to_owned(), |v| format!("version {v}"));
+                let found = found.map_or(said!("no version").to_owned(), |v| {
+                    tr!("version {found}", found = v)
+                });
                 return Err(PictureError::broken(
                     found,
-                    format!("version 1 to {VERSION}"),
+                    tr!("version 1 to {newest}", newest = VERSION),
                 ));
             }
         }
         let header: Self = serde_json::from_value(value).map_err(|error| {
-            PictureError::broken(format!("a header with {error}"), "every field")
+            PictureError::broken(tr!("a header with {error}", error), said!("every field"))
         })?;
         header.check()?;
         Ok(header)
@@ -227,11 +232,15 @@ impl Header {
         let count = self.bands_nm.len();
         let mut sides = [self.width, self.height].into_iter();
         if !sides.all(|side| (1..=MOST_SIDE).contains(&side)) {
-            let found = format!("a picture of {} x {} pixels", self.width, self.height);
-            return broken(found, "1 to 1048576 pixels on a side");
+            let found = tr!(
+                "a picture of {width} x {height} pixels",
+                width = self.width,
+                height = self.height
+            );
+            return broken(found, said!("1 to 1048576 pixels on a side"));
         }
         if count > MOST_BANDS {
-            return broken(format!("{count} bands"), "at most 4096");
+            return broken(tr!("{count} bands", count), said!("at most 4096"));
         }
         Bands::new(self.bands_nm.clone(), self.kind)?;
         if self.basis != "cosine" {
@@ -241,15 +250,24 @@ impl Header {
         let fits = self.series > 0 && (3..count).contains(&self.numbers);
         if numbers != Some(self.numbers) || !fits {
             let (series, lines) = (self.series, self.lines.len());
-            let found = format!("{} numbers of {series} and {lines} lines", self.numbers);
-            return broken(found, "3 or more, fewer than bands, that add up");
+            let found = tr!(
+                "{numbers} numbers of {series} and {lines} lines",
+                numbers = self.numbers,
+                series,
+                lines
+            );
+            return broken(found, said!("3 or more, fewer than bands, that add up"));
         }
         let [lo, hi] = self.range_nm;
         let covers = lo <= self.bands_nm[0] && hi >= self.bands_nm[count - 1];
         if !(lo.is_finite() && hi.is_finite() && covers) {
             return broken(
-                format!("the range {lo}:{hi} nm"),
-                "one that covers the bands",
+                tr!(
+                    "the range {lo}:{hi} nm",
+                    lo = with_sign(lo.to_string()),
+                    hi = with_sign(hi.to_string())
+                ),
+                said!("one that covers the bands"),
             );
         }
         let mut tables = vec![&self.reference.values];
@@ -258,8 +276,8 @@ impl Header {
         for table in tables {
             if table.len() != count || table.iter().any(|v| !v.is_finite()) {
                 return broken(
-                    format!("a table of {} values", table.len()),
-                    "one finite value a band",
+                    tr!("a table of {found} values", found = table.len()),
+                    said!("one finite value a band"),
                 );
             }
         }
@@ -267,7 +285,13 @@ impl Header {
             self.own_light()?;
         }
         if !(self.scale.is_finite() && self.scale > 0.0 && self.noise.is_finite()) {
-            return broken(format!("the scale {}", self.scale), "one above 0");
+            return broken(
+                tr!(
+                    "the scale {scale}",
+                    scale = with_sign(self.scale.to_string())
+                ),
+                said!("one above 0"),
+            );
         }
         Ok(())
     }
@@ -280,8 +304,8 @@ impl Header {
         match Sampled::even(first, step, self.own.values.clone()) {
             Ok(table) if rises && fits => Ok(Illuminant::new(&self.own.light, &table)),
             _ => Err(PictureError::broken(
-                "an own light that is no table",
-                "values from first to last nm",
+                said!("an own light that is no table"),
+                said!("values from first to last nm"),
             )),
         }
     }

@@ -189,7 +189,7 @@ impl Illuminant {
             weight: line.weight * factor,
             ..*line
         });
-        let name = format!("{} and {}", self.name, other.name);
+        let name = tr!("{name} and {other}", name = self.name, other = other.name);
         Some(Self::with_spikes(&name, &table, scaled.collect()))
     }
 }
@@ -213,7 +213,7 @@ pub(super) fn emissive_weights(
     let rows = bands.fold(&Illuminant::equal_energy().seen(observer));
     let y = dot(&rows[1], white);
     over_y(rows, y).ok_or_else(|| PictureError::NoOwnLight {
-        light: "what the eye sees".to_owned(),
+        light: said!("what the eye sees").to_owned(),
     })
 }
 

@@ -1,7 +1,10 @@
 //! Lines of a whole picture: places and shapes from one spectrum, one number a pixel each.
 
-use crate::spectrum::{Band, Outside, Sampled, SpikeSettings};
 use crate::spectrum::{FoundSpike, detect, window_near};
+use crate::{
+    languages::with_sign,
+    spectrum::{Band, Outside, Sampled, SpikeSettings},
+};
 
 use super::{Bands, PictureError};
 
@@ -86,7 +89,13 @@ pub(crate) fn lines_at(
         match kept.last_mut() {
             Some(last) if place - *last < near => {
                 let middle = 0.5 * (*last + place);
-                let note = format!("lines at {last} and {place} nm are one at {middle} nm");
+                let shown = |nm: f64| with_sign(nm.to_string());
+                let note = tr!(
+                    "lines at {last} and {place} nm are one at {middle} nm",
+                    last = shown(*last),
+                    place = shown(place),
+                    middle = shown(middle)
+                );
                 found.notes.push(note);
                 *last = middle;
             }
@@ -163,7 +172,7 @@ fn inside(bands: &Bands, at_nm: f64) -> Result<(), PictureError> {
 /// A spectrum on whole nm of its bands; `None` where these are too few, or too many, for lines.
 fn on_grid(bands: &Bands, spectrum: &[f64]) -> Result<Option<(Band, Vec<f64>)>, PictureError> {
     let sampled = Sampled::new(bands.nm().to_vec(), spectrum.to_vec())
-        .map_err(|error| PictureError::broken(error.to_string(), "a finite value a band"))?;
+        .map_err(|error| PictureError::broken(error.to_string(), said!("a finite value a band")))?;
     let (first, last) = (bands.nm()[0].ceil(), bands.nm()[bands.len() - 1].floor());
     let band = Band::new(first, last).ok();
     Ok(band.map(|band| (band, sampled.on_band(band, Outside::Zero))))

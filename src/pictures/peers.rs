@@ -65,28 +65,28 @@ pub(crate) fn peers(
         ..operator.plan().clone()
     };
     let mut rows: Vec<(&'static str, Option<u64>, Operator, &str)> = vec![(
-        "composite",
+        later!("composite"),
         kept(0),
         operator.clone(),
-        "half numbers before packing",
+        later!("half numbers before packing"),
     )];
     let basis = numbers * bands.len();
     if let Some(components) = components(operator, &bare, survey) {
         rows.push((
-            "components of the picture",
+            later!("components of the picture"),
             kept(basis),
             components,
-            "its basis is counted",
+            later!("its basis is counted"),
         ));
     }
     rows.push((
-        "plain samples",
+        later!("plain samples"),
         kept(0),
         samples(operator, &bare),
-        "even wavelengths, straight lines between",
+        later!("even wavelengths, straight lines between"),
     ));
     if let Ok(series) = Operator::new(bands, &bare) {
-        rows.push(("bare series", kept(0), series, ""));
+        rows.push((later!("bare series"), kept(0), series, ""));
     }
     let mut lines = find_lines(bands, &survey.mean)?;
     lines.truncate(numbers.saturating_sub(3));
@@ -96,7 +96,12 @@ pub(crate) fn peers(
         ..bare.clone()
     };
     if let Ok(paper) = Operator::new(bands, &paper) {
-        rows.push(("the paper's form: series and lines", kept(0), paper, ""));
+        rows.push((
+            later!("the paper's form: series and lines"),
+            kept(0),
+            paper,
+            "",
+        ));
     }
     let mut peers = Vec::new();
     for (name, bytes, way, description) in rows {
@@ -110,15 +115,15 @@ pub(crate) fn peers(
         });
     }
     for (name, precision) in [
-        ("spectral OpenEXR, half, ZIP", Precision::Half),
-        ("spectral OpenEXR, float, ZIP", Precision::Single),
+        (later!("spectral OpenEXR, half, ZIP"), Precision::Half),
+        (later!("spectral OpenEXR, float, ZIP"), Precision::Single),
     ] {
         peers.push(Peer {
             name,
             numbers: bands.len(),
             bytes: Some(exact_bytes(pixels, precision, progress)?),
             error: None,
-            description: "every band".to_owned(),
+            description: later!("every band").to_owned(),
         });
     }
     Ok(peers)

@@ -30,7 +30,7 @@ impl Picture {
             .checked_mul(header.height)
             .and_then(|n| n.checked_mul(header.numbers));
         if expected != Some(planes.len()) {
-            let found = format!("{} numbers", planes.len());
+            let found = tr!("{found} numbers", found = planes.len());
             let expected = format!("{} x {} x {}", header.width, header.height, header.numbers);
             return Err(PictureError::broken(found, expected));
         }

@@ -47,10 +47,12 @@ impl InMemory {
             .checked_mul(height)
             .and_then(|n| n.checked_mul(bands.len()));
         if expected != Some(values.len()) || values.is_empty() {
-            let found = format!("{} values", values.len());
-            let expected = format!(
-                "one a pixel and band of {width} x {height} x {}",
-                bands.len()
+            let found = tr!("{found} values", found = values.len());
+            let expected = tr!(
+                "one a pixel and band of {width} x {height} x {bands}",
+                width,
+                height,
+                bands = bands.len()
             );
             return Err(PictureError::broken(found, expected));
         }

@@ -92,9 +92,11 @@ impl Operator {
         } else {
             let known = known.ok_or_else(|| {
                 PictureError::NoRelighting(
-                    "no relighting: nobody knows what lit this picture; choose the light, or a \
-                     white place in the picture, whose spectrum then is the light"
-                        .to_owned(),
+                    said!(
+                        "no relighting: nobody knows what lit this picture; choose the light, or \
+                         a white place in the picture, whose spectrum then is the light"
+                    )
+                    .to_owned(),
                 )
             })?;
             self.divided_later(known, &weights)?

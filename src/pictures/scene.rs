@@ -72,7 +72,7 @@ impl Scene {
     /// [`PictureError`] when there is no pixel, or the wavelengths (nm) are no bands.
     pub fn reflectance(width: usize, height: usize, nm: Vec<f64>) -> Result<Self, PictureError> {
         let bands = Bands::new(nm, Kind::Reflectance)?;
-        Self::new(width, height, bands, Vec::new(), "a wall of paints")
+        Self::new(width, height, bands, Vec::new(), said!("a wall of paints"))
     }
 
     /// The wall under one light, or under two that share it out across the wall.
@@ -88,7 +88,10 @@ impl Scene {
         let bands = Bands::new(nm, Kind::Light)?;
         let lights = lights.iter().take(2);
         let names: Vec<&str> = lights.clone().map(Illuminant::name).collect();
-        let name = format!("a wall of paints under {}", names.join(" and "));
+        let name = tr!(
+            "a wall of paints under {lights}",
+            lights = names.join(said!(" and "))
+        );
         let on_bands: Result<Vec<_>, _> = lights.map(|light| light.on_bands(&bands)).collect();
         Self::new(width, height, bands, on_bands?, &name)
     }

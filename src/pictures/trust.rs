@@ -2,8 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::color::{Observer, Xyz};
 use crate::spectrum::{Outside, Sampled};
+use crate::{
+    color::{Observer, Xyz},
+    languages::fixed,
+};
 
 #[cfg(test)]
 use super::fitting::lit_fit;
@@ -96,20 +99,24 @@ impl Trust {
     pub(crate) fn words(&self) -> String {
         let blind = self.blind.iter().copied().fold(0.0, f64::max);
         match self.verdict {
-            Verdict::Care if self.guessed => format!(
-                "with care: nothing states that the values are reflectances, and under a lamp they \
-                 would be off by its whole spectrum; noise makes about {:.2} ΔE₀₀",
-                self.noise
+            Verdict::Care if self.guessed => tr!(
+                "with care: nothing states that the values are reflectances, and under a lamp \
+                 they would be off by its whole spectrum; noise makes about {noise} ΔE₀₀",
+                noise = fixed(self.noise, 2)
             ),
-            Verdict::Good => format!("trust it: noise makes about {:.2} ΔE₀₀", self.noise),
-            Verdict::Care => format!(
-                "with care: the old light left {:.0} % of the new one's colour dark, noise makes about {:.2} ΔE₀₀",
-                100.0 * blind,
-                self.noise
+            Verdict::Good => tr!(
+                "trust it: noise makes about {noise} ΔE₀₀",
+                noise = fixed(self.noise, 2)
             ),
-            Verdict::Refused => format!(
-                "not to be trusted: the old light left {:.0} % of the new one's colour dark",
-                100.0 * blind
+            Verdict::Care => tr!(
+                "with care: the old light left {share} % of the new one's colour dark, noise \
+                 makes about {noise} ΔE₀₀",
+                share = fixed(100.0 * blind, 0),
+                noise = fixed(self.noise, 2)
+            ),
+            Verdict::Refused => tr!(
+                "not to be trusted: the old light left {share} % of the new one's colour dark",
+                share = fixed(100.0 * blind, 0)
             ),
         }
     }

@@ -48,16 +48,16 @@ impl Shelf {
     /// The heading, as it stands in files and on screen.
     pub(crate) fn heading(self) -> &'static str {
         match self {
-            Self::Standard => "Standard lights",
-            Self::Fluorescent => "Fluorescent",
+            Self::Standard => later!("Standard lights"),
+            Self::Fluorescent => later!("Fluorescent"),
             Self::Led => "LED",
-            Self::Discharge => "Discharge",
-            Self::Sun => "Sun and sky",
-            Self::Paper => "The paper's lamps",
-            Self::Lines => "Line lamps",
-            Self::Reflectances => "Reflectances",
-            Self::Filters => "Filters and glasses",
-            Self::Observers => "Observers",
+            Self::Discharge => later!("Discharge"),
+            Self::Sun => later!("Sun and sky"),
+            Self::Paper => later!("The paper's lamps"),
+            Self::Lines => later!("Line lamps"),
+            Self::Reflectances => later!("Reflectances"),
+            Self::Filters => later!("Filters and glasses"),
+            Self::Observers => later!("Observers"),
         }
     }
 }

@@ -95,24 +95,30 @@ impl Family {
                 title: later!("Principal components"),
                 short: later!("Principal"),
                 in_a_sentence: later!("principal components"),
-                meaning: later!("Components of the shipped lights, trained without the light at hand and \
-                          its likes. Its tables are not counted among its numbers."),
+                meaning: later!(
+                    "Components of the shipped lights, trained without the light at hand and \
+                          its likes. Its tables are not counted among its numbers."
+                ),
             },
             Self::Moments => About {
                 word: "moments",
                 title: later!("Maximum-entropy moments"),
                 short: later!("Moments"),
                 in_a_sentence: later!("maximum-entropy moments"),
-                meaning: later!("Trigonometric moments, read by maximum entropy; never negative. \
-                          Reflectances are bounded by 1."),
+                meaning: later!(
+                    "Trigonometric moments, read by maximum entropy; never negative. \
+                          Reflectances are bounded by 1."
+                ),
             },
             Self::Wavelet => About {
                 word: "wavelet",
                 title: later!("Wavelet, largest coefficients"),
                 short: later!("Wavelet"),
                 in_a_sentence: later!("wavelets"),
-                meaning: later!("The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
-                          place and value."),
+                meaning: later!(
+                    "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
+                          place and value."
+                ),
             },
         }
     }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::languages::with_sign;
+
 /// Shortest range that a model may have, in nm.
 pub(crate) const SHORTEST_NM: u32 = 20;
 
@@ -28,16 +30,33 @@ pub struct Band {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BandError {
     /// A bound is not a whole, non-negative number of nm.
-    #[error("range: expected whole nm, found {found}")]
+    #[error(
+        "{}",
+        tr!("range: expected whole nm, found {found}", found = with_sign(found.to_string()))
+    )]
     NotWhole { found: f64 },
     /// The range is shorter than `SHORTEST_NM` (or runs backwards).
     #[error(
-        "range: expected MIN:MAX, MAX at least {SHORTEST_NM} nm above MIN, found {min_nm}:{max_nm}"
+        "{}",
+        tr!(
+            "range: expected MIN:MAX, MAX at least {shortest} nm above MIN, found \
+             {min_nm}:{max_nm}",
+            shortest = SHORTEST_NM,
+            min_nm = with_sign(min_nm.to_string()),
+            max_nm = with_sign(max_nm.to_string())
+        )
     )]
     TooShort { min_nm: f64, max_nm: f64 },
     /// The range is longer than `MOST_STEPS` or ends beyond `LONGEST_NM`.
     #[error(
-        "range: expected at most {MOST_STEPS} nm below {LONGEST_NM} nm, found {min_nm}:{max_nm}"
+        "{}",
+        tr!(
+            "range: expected at most {most} nm below {longest} nm, found {min_nm}:{max_nm}",
+            most = MOST_STEPS,
+            longest = LONGEST_NM,
+            min_nm = with_sign(min_nm.to_string()),
+            max_nm = with_sign(max_nm.to_string())
+        )
     )]
     TooLong { min_nm: f64, max_nm: f64 },
 }

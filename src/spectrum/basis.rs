@@ -99,10 +99,14 @@ impl Basis {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Fourier => {
-                later!("The paper's periodic series: 2N + 1 numbers. It rings where the two ends of the \
-                 range differ.")
+                later!(
+                    "The paper's periodic series: 2N + 1 numbers. It rings where the two ends of the \
+                 range differ."
+                )
             }
-            Self::Cosine => later!("Half-range cosines: the same 2N + 1 numbers, no jump at the ends."),
+            Self::Cosine => {
+                later!("Half-range cosines: the same 2N + 1 numbers, no jump at the ends.")
+            }
         }
     }
 

@@ -6,6 +6,8 @@
 //!
 //! A line of no width is the paper's ideal spike: it can only be weighed, never evaluated.
 
+use crate::languages::with_sign;
+
 use super::{
     band::Band,
     line::{Line, add_lines},
@@ -23,10 +25,17 @@ pub struct Composite {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CompositeError {
     /// The smooth part has no coefficient.
-    #[error("the smooth part has no coefficient")]
+    #[error("{}", said!("the smooth part has no coefficient"))]
     NoCoefficient,
     /// A coefficient is no finite number.
-    #[error("coefficient {index} of the smooth part is {value}, no finite number")]
+    #[error(
+        "{}",
+        tr!(
+            "coefficient {index} of the smooth part is {value}, no finite number",
+            index,
+            value = with_sign(value.to_string())
+        )
+    )]
     Coefficient {
         /// Its place in the series, from 0.
         index: usize,
@@ -34,7 +43,15 @@ pub enum CompositeError {
         value: f64,
     },
     /// A line stands outside the band of the smooth part.
-    #[error("a line at {at_nm} nm stands outside {}-{} nm", band.min_nm(), band.max_nm())]
+    #[error(
+        "{}",
+        tr!(
+            "a line at {at_nm} nm stands outside {min_nm}-{max_nm} nm",
+            at_nm = with_sign(at_nm.to_string()),
+            min_nm = band.min_nm(),
+            max_nm = band.max_nm()
+        )
+    )]
     OutsideBand {
         /// Its place, nm.
         at_nm: f64,
@@ -42,7 +59,14 @@ pub enum CompositeError {
         band: Band,
     },
     /// The weight of a line is no finite number.
-    #[error("the line at {at_nm} nm weighs {weight}, no finite number")]
+    #[error(
+        "{}",
+        tr!(
+            "the line at {at_nm} nm weighs {weight}, no finite number",
+            at_nm = with_sign(at_nm.to_string()),
+            weight = with_sign(weight.to_string())
+        )
+    )]
     Weight {
         /// Its place, nm.
         at_nm: f64,
@@ -50,7 +74,14 @@ pub enum CompositeError {
         weight: f64,
     },
     /// The width of a line is negative or no finite number.
-    #[error("the line at {at_nm} nm is {fwhm_nm} nm wide: a finite width from 0 on is expected")]
+    #[error(
+        "{}",
+        tr!(
+            "the line at {at_nm} nm is {fwhm_nm} nm wide: a finite width from 0 on is expected",
+            at_nm = with_sign(at_nm.to_string()),
+            fwhm_nm = with_sign(fwhm_nm.to_string())
+        )
+    )]
     Width {
         /// Its place, nm.
         at_nm: f64,

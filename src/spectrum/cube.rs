@@ -167,20 +167,31 @@ pub struct Cube {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CubeError {
     /// No pixel.
-    #[error("expected at least one pixel, found none")]
+    #[error("{}", said!("expected at least one pixel, found none"))]
     Empty,
     /// Fewer than two bands, wavelengths that do not rise strictly, or a band that is not stored.
-    #[error("expected two or more bands at rising wavelengths above 0")]
+    #[error("{}", said!("expected two or more bands at rising wavelengths above 0"))]
     Bands,
     /// Fewer bytes than its numbers take (`expected` is `None` beyond what can be counted).
-    #[error("expected {}, found {found} bytes", match expected {
-        Some(expected) => format!("{expected} bytes"),
-        None => "a size that can be counted".to_owned(),
-    })]
+    #[error("{}", short(*found, *expected))]
     Short {
         found: usize,
         expected: Option<usize>,
     },
+}
+
+fn short(found: usize, expected: Option<usize>) -> String {
+    match expected {
+        Some(expected) => tr!(
+            "expected {expected} bytes, found {found} bytes",
+            expected,
+            found
+        ),
+        None => tr!(
+            "expected a size that can be counted, found {found} bytes",
+            found
+        ),
+    }
 }
 
 impl Cube {

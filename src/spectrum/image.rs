@@ -49,11 +49,18 @@ impl SpectralImage {
         } = region;
         let name = &self.name;
         if region == self.cube.all() {
-            format!("{name}, mean")
+            tr!("{name}, mean", name)
         } else if region.pixels() == 1 {
-            format!("{name}, row {y} column {x}")
+            tr!("{name}, row {y} column {x}", name, y, x)
         } else {
-            format!("{name}, mean of {width} x {height} from row {y} column {x}")
+            tr!(
+                "{name}, mean of {width} x {height} from row {y} column {x}",
+                name,
+                width,
+                height,
+                y,
+                x
+            )
         }
     }
 

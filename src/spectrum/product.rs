@@ -35,8 +35,15 @@ pub(crate) fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Line>
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ProductError {
     /// They stand on different bands.
-    #[error("a light on {}-{} nm and a factor on {}-{} nm have no product: one band is expected",
-        light.min_nm(), light.max_nm(), factor.min_nm(), factor.max_nm())]
+    #[error(
+        "{}",
+        tr!(
+            "a light on {light} nm and a factor on {factor} nm have no product: one band is \
+             expected",
+            light = ends(*light),
+            factor = ends(*factor)
+        )
+    )]
     Bands {
         /// The light's.
         light: Band,
@@ -44,7 +51,7 @@ pub enum ProductError {
         factor: Band,
     },
     /// They are series of different functions.
-    #[error("a {} series and a {} series have no product: one basis is expected", light.word(), factor.word())]
+    #[error("{}", two_bases(*light, *factor))]
     Bases {
         /// The light's.
         light: Basis,
@@ -52,8 +59,30 @@ pub enum ProductError {
         factor: Basis,
     },
     /// The factor has no coefficient.
-    #[error("the factor has no coefficient")]
+    #[error("{}", said!("the factor has no coefficient"))]
     NoCoefficient,
+}
+
+fn ends(band: Band) -> String {
+    format!("{}-{}", band.min_nm(), band.max_nm())
+}
+
+fn two_bases(light: Basis, factor: Basis) -> String {
+    let words = match (light, factor) {
+        (Basis::Fourier, Basis::Cosine) => {
+            said!("a fourier series and a cosine series have no product: one basis is expected")
+        }
+        (Basis::Cosine, Basis::Fourier) => {
+            said!("a cosine series and a fourier series have no product: one basis is expected")
+        }
+        (one, other) => {
+            let (one, other) = (one.word(), other.word());
+            return format!(
+                "a {one} series and a {other} series have no product: one basis is expected"
+            );
+        }
+    };
+    words.to_owned()
 }
 
 impl Composite {

@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::languages::with_sign;
+
 use super::{band::Band, formula::Formula};
 
 /// Extrapolation of a table beyond its first and last wavelength.
@@ -45,19 +47,30 @@ impl PartialEq for Axis {
 pub enum SampledError {
     /// Wavelengths and values differ in number.
     #[error(
-        "expected one value per wavelength, found {wavelengths} wavelengths and {values} values"
+        "{}",
+        tr!(
+            "expected one value per wavelength, found {wavelengths} wavelengths and {values} \
+             values",
+            wavelengths,
+            values
+        )
     )]
     Lengths { wavelengths: usize, values: usize },
     /// Fewer than two points.
-    #[error("expected at least 2 points, found {found}")]
+    #[error("{}", tr!("expected at least 2 points, found {found}", found))]
     TooFew { found: usize },
     /// A wavelength or a value is not a finite number (`index` counts from 0).
-    #[error("point {}: expected finite numbers", index + 1)]
+    #[error("{}", tr!("point {number}: expected finite numbers", number = index + 1))]
     NotFinite { index: usize },
     /// A wavelength does not exceed the one before it (`index` counts from 0).
     #[error(
-        "point {}: expected a wavelength above {after_nm} nm, found {found_nm} nm",
-        index + 1
+        "{}",
+        tr!(
+            "point {number}: expected a wavelength above {after} nm, found {found} nm",
+            number = index + 1,
+            after = with_sign(after_nm.to_string()),
+            found = with_sign(found_nm.to_string())
+        )
     )]
     NotRising {
         index: usize,

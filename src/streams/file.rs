@@ -267,7 +267,7 @@ impl FileSource {
         match self.lines.whole_object(1e3 * now) {
             Some(frame) => self.take_frame(frame),
             None if !self.lines.is_waiting() => {}
-            None => self.wait("the last line is half written"),
+            None => self.wait(said!("the last line is half written")),
         }
         true
     }
@@ -287,13 +287,13 @@ impl FileSource {
         let reading = match read(&Input::at(&self.path, bytes).deciding(&self.choices)) {
             Ok(reading) => reading,
             Err(why) => {
-                self.wait(&format!("found {}", why.found));
+                self.wait(&tr!("found {found}", found = why.found));
                 return true;
             }
         };
         let spectra = reading.spectra;
         let Some(last) = spectra.last() else {
-            self.wait("it holds no spectrum");
+            self.wait(said!("it holds no spectrum"));
             return true;
         };
         let is_ended = is_ended(bytes);
@@ -306,7 +306,7 @@ impl FileSource {
         let wanted = match &self.good {
             None => FIRST_REST,
             Some(before) if is_half(before) => {
-                self.wait("it looks half written");
+                self.wait(said!("it looks half written"));
                 HALF_REST
             }
             Some(_) if !is_ended => UNENDED_REST,
@@ -349,12 +349,15 @@ impl FileSource {
     fn wait(&mut self, why: &str) {
         if self.said != why {
             why.clone_into(&mut self.said);
-            let stays = match self.good.is_some() || self.read_to.is_some() {
-                true => "; the last spectrum stays",
-                false => "",
-            };
             let (name, why) = (&self.name, part_of_message(why));
-            let words = format!("{name}: waiting ({why}){stays}.");
+            let words = match self.good.is_some() || self.read_to.is_some() {
+                true => tr!(
+                    "{name}: waiting ({why}); the last spectrum stays.",
+                    name,
+                    why
+                ),
+                false => tr!("{name}: waiting ({why}).", name, why),
+            };
             self.waiting.push_back(Event::Said(words));
         }
     }

@@ -108,7 +108,7 @@ impl FolderSource {
         let paths = match self.paths() {
             Ok(paths) => paths,
             Err(why) => {
-                let words = format!("{}: waiting ({why}).", self.name);
+                let words = tr!("{name}: waiting ({why}).", name = self.name, why);
                 if self.broken.last != words {
                     self.broken.last.clone_from(&words);
                     self.waiting.push_back(Event::Said(words));

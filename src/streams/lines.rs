@@ -17,8 +17,11 @@ use std::ops::RangeInclusive;
 use memchr::memchr;
 
 use super::frame::{Frame, Line};
-use crate::io::{is_measured, names_wavelength, quoted};
 use crate::spectrum::{Kind, Sampled};
+use crate::{
+    io::{is_measured, names_wavelength, quoted},
+    languages::with_sign,
+};
 
 /// The longest line.
 pub const MOST_LINE_BYTES: usize = 1 << 20;
@@ -55,8 +58,11 @@ impl Axis {
     fn new(sent: Vec<f64>) -> Result<Self, String> {
         if let Some(nm) = sent.iter().find(|nm| !WAVELENGTHS.contains(nm)) {
             let [least, most] = [WAVELENGTHS.start(), WAVELENGTHS.end()];
-            return Err(format!(
-                "found a wavelength of {nm} nm, expected {least} to {most}"
+            return Err(tr!(
+                "found a wavelength of {nm} nm, expected {least} to {most}",
+                nm = with_sign(nm.to_string()),
+                least = with_sign(least.to_string()),
+                most = with_sign(most.to_string())
             ));
         }
         let falls = sent.len() > 1 && sent[0] > sent[1];
@@ -72,12 +78,17 @@ impl Axis {
     fn samples(&self, mut values: Vec<f64>) -> Result<Sampled, String> {
         let (found, wanted) = (values.len(), self.sent.len());
         if found != wanted {
-            return Err(format!(
-                "found {found} values, expected {wanted}, one a wavelength"
+            return Err(tr!(
+                "found {found} values, expected {wanted}, one a wavelength",
+                found,
+                wanted
             ));
         }
         if let Some(value) = values.iter().find(|value| !is_measured(**value)) {
-            return Err(format!("found the value {value}, expected measured ones"));
+            return Err(tr!(
+                "found the value {value}, expected measured ones",
+                value = with_sign(value.to_string())
+            ));
         }
         if self.falls {
             values.reverse();
@@ -162,7 +173,7 @@ impl Lines {
     /// is cut is a number still.
     pub(super) fn finish(&mut self) {
         if self.is_overlong || !self.pending.trim_ascii().is_empty() {
-            self.skip("found half a line at the end, expected a line end".to_owned());
+            self.skip(said!("found half a line at the end, expected a line end").to_owned());
         }
         self.pending.clear();
         self.is_overlong = false;
@@ -196,8 +207,9 @@ impl Lines {
             if self.is_overlong || self.pending.len() + line.len() > MOST_LINE_BYTES {
                 self.pending.clear();
                 self.is_overlong = false;
-                self.skip(format!(
-                    "found a line of more than {MOST_LINE_BYTES} bytes, expected a shorter one"
+                self.skip(tr!(
+                    "found a line of more than {most} bytes, expected a shorter one",
+                    most = MOST_LINE_BYTES
                 ));
                 continue;
             }
@@ -231,8 +243,9 @@ impl Lines {
     }
 
     fn read(&mut self, line: &[u8], time_ms: f64) -> Result<Option<Frame>, String> {
-        let text = std::str::from_utf8(line)
-            .map_err(|_| "found bytes that are no text, expected a line of numbers".to_owned())?;
+        let text = std::str::from_utf8(line).map_err(|_| {
+            said!("found bytes that are no text, expected a line of numbers").to_owned()
+        })?;
         let text = text.trim_start_matches('\u{feff}').trim();
         if text.is_empty() || text.starts_with('#') {
             return Ok(None);
@@ -277,11 +290,15 @@ impl Lines {
     }
 
     fn object(&mut self, text: &str, time_ms: f64) -> Result<Option<Frame>, String> {
-        let mut line: Line = serde_json::from_str(text)
-            .map_err(|why| format!("found no object of numbers ({why}), expected one a line"))?;
+        let mut line: Line = serde_json::from_str(text).map_err(|why| {
+            tr!(
+                "found no object of numbers ({why}), expected one a line",
+                why
+            )
+        })?;
         let wavelengths = line.wavelength_nm.take();
         if wavelengths.is_none() && line.values.is_none() {
-            return Err("found no values, expected the key values".to_owned());
+            return Err(said!("found no values, expected the key values").to_owned());
         }
         if let Some(nm) = wavelengths {
             self.set_axis(nm)?;
@@ -320,10 +337,10 @@ impl Lines {
 
     fn frame(&mut self, values: Vec<f64>, time_ms: f64, line: Line) -> Result<Frame, String> {
         self.awaits_header = false;
-        let axis = self.axis.as_ref().ok_or(
-            "found values without wavelengths, expected a line of wavelengths before them, the key \
-             wavelength_nm or an instrument",
-        )?;
+        let axis = self.axis.as_ref().ok_or(said!(
+            "found values without wavelengths, expected a line of wavelengths before them, \
+                 the key wavelength_nm or an instrument"
+        ))?;
         let positive = |value: &f64| value.is_finite() && *value > 0.0;
         Ok(Frame {
             time_ms: line.time_ms.filter(|t| t.is_finite()).unwrap_or(time_ms),
@@ -338,7 +355,11 @@ impl Lines {
 }
 
 fn expected(cell: &str, what: &str) -> String {
-    format!("found {}, expected {what}", quoted(cell))
+    tr!(
+        "found {found}, expected {expected}",
+        found = quoted(cell),
+        expected = what
+    )
 }
 
 /// The cells of a line: between commas, else tabs, else blanks. One separator may end the line.
@@ -357,7 +378,7 @@ fn cells(text: &str) -> Vec<&str> {
 fn number(cell: &str) -> Result<f64, String> {
     let value = cell.trim().parse::<f64>().ok();
     let value = value.filter(|value| value.is_finite());
-    value.ok_or_else(|| expected(cell, "a number"))
+    value.ok_or_else(|| expected(cell, said!("a number")))
 }
 
 fn numbers(cells: &[&str]) -> Result<Vec<f64>, String> {

@@ -50,7 +50,7 @@ impl Replay {
     pub fn open(path: &Path, pace: Pace, lines: Lines) -> Result<Self, String> {
         let file = File::open(path).map_err(|error| {
             let (found, expected) = why_unopened(path, &error);
-            format!("found {found}, expected {expected}")
+            tr!("found {found}, expected {expected}", found, expected)
         })?;
         Ok(Self {
             name: name_of(path),

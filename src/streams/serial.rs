@@ -44,10 +44,15 @@ impl Serial {
             let others = ports();
             let others: Vec<String> = others.iter().map(|path| shown(path)).collect();
             let expected = match &others[..] {
-                [] => "a serial port (this machine has none)".to_owned(),
-                others => format!("one of {}", others.join(", ")),
+                [] => said!("a serial port (this machine has none)").to_owned(),
+                others => tr!("one of {ports}", ports = others.join(", ")),
             };
-            format!("{name}: found no serial port that opens ({why}), expected {expected}")
+            tr!(
+                "{name}: found no serial port that opens ({why}), expected {expected}",
+                name,
+                why,
+                expected
+            )
         })?;
         Ok(Self::of(port, path, baud, lines))
     }
@@ -85,15 +90,16 @@ impl Link for Serial {
                     Err(_) => {
                         self.port = None;
                         let name = shown(&self.path);
-                        Heard::Gone(format!(
-                            "{name} is unplugged: the last frame stays, waiting for it."
+                        Heard::Gone(tr!(
+                            "{name} is unplugged: the last frame stays, waiting for it.",
+                            name
                         ))
                     }
                 };
             }
             self.port = SerialPort::open(&self.path, self.baud).ok();
             if self.port.is_some() {
-                return Heard::Begin(format!("{} is back.", shown(&self.path)));
+                return Heard::Begin(tr!("{name} is back.", name = shown(&self.path)));
             }
             if left.is_zero() {
                 return Heard::Nothing;

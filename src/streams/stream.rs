@@ -164,10 +164,18 @@ pub enum Reach {
 #[derive(Debug, thiserror::Error)]
 pub enum ListenError {
     #[error(
-        "found {0}, which others on the network reach, expected a loopback address (127.0.0.1)"
+        "{}",
+        tr!(
+            "found {address}, which others on the network reach, expected a loopback address \
+             (127.0.0.1)",
+            address = .0
+        )
     )]
     NotLoopback(SocketAddr),
-    #[error("found {address}, where nothing can listen ({why}), expected a free port")]
+    #[error(
+        "{}",
+        tr!("found {address}, where nothing can listen ({why}), expected a free port", address, why)
+    )]
     Taken { address: SocketAddr, why: io::Error },
 }
 
@@ -231,9 +239,11 @@ impl Link for Listener {
                         _ => {
                             self.producer = None;
                             return Heard::Gone(
-                                "The producer is gone: the last frame stays, and another may \
-                                 connect."
-                                    .to_owned(),
+                                said!(
+                                    "The producer is gone: the last frame stays, and another may \
+                                     connect."
+                                )
+                                .to_owned(),
                             );
                         }
                     }
@@ -243,7 +253,7 @@ impl Link for Listener {
                 && producer.set_nonblocking(false).is_ok()
             {
                 self.producer = Some(producer);
-                return Heard::Begin(format!("{from} sends."));
+                return Heard::Begin(tr!("{from} sends.", from));
             }
             if left.is_zero() {
                 return Heard::Nothing;

@@ -123,6 +123,34 @@ fn next(ui: &mut Ui) -> Option<Wish> {
     wish
 }
 
+/// The buttons above the rows: words, how many rows, what they are.
+fn views(counts: [usize; 3]) -> [(Shown, &'static str, usize, &'static str); 3] {
+    let [all, doubtful, not_read] = counts;
+    [
+        (
+            Shown::All,
+            said!("All"),
+            all,
+            said!("Every file that was opened."),
+        ),
+        (
+            Shown::Doubtful,
+            said!("Doubtful"),
+            doubtful,
+            said!(
+                "Files read with a guess that you should look at: what the values stand for, per \
+                 cent or fractions, the unit of the wavelengths."
+            ),
+        ),
+        (
+            Shown::NotRead,
+            said!("Refused or not read"),
+            not_read,
+            said!("Files in which nothing could be read, and files that were not reached."),
+        ),
+    ]
+}
+
 impl Brought {
     fn is_spectrum(&self) -> bool {
         matches!(self, Self::Spectrum { .. })
@@ -239,29 +267,7 @@ impl BatchView {
             wish = next(ui);
         }
         ui.horizontal(|ui| {
-            for (shown, words, count, meaning) in [
-                (
-                    Shown::All,
-                    said!("All"),
-                    all,
-                    said!("Every file that was opened."),
-                ),
-                (
-                    Shown::Doubtful,
-                    said!("Doubtful"),
-                    doubtful,
-                    said!(
-                        "Files read with a guess that you should look at: what the values stand \
-                         for, per cent or fractions, the unit of the wavelengths."
-                    ),
-                ),
-                (
-                    Shown::NotRead,
-                    said!("Refused or not read"),
-                    not_read,
-                    said!("Files in which nothing could be read, and files that were not reached."),
-                ),
-            ] {
+            for (shown, words, count, meaning) in views([all, doubtful, not_read]) {
                 let label =
                     egui::Button::selectable(self.shown == shown, format!("{words} ({count})"));
                 let possible = shown == Shown::All || count > 0;

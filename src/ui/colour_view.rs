@@ -41,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
         return;
     };
     let size = vec2(ui.available_width(), 32.0 * theme.scale);
-    let mapping = capitalised(exact.swatch.mapping.words());
+    let mapping = capitalised(crate::languages::said(exact.swatch.mapping.words()));
     let mut about = tr!("Left as measured, right by the model. {mapping}.", mapping);
     if !(exact.swatch.in_gamut && model.swatch.in_gamut) {
         about += " ";
@@ -130,9 +130,9 @@ fn grid(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
             .chain(of_light)
             .flat_map(|kind| kind.chunks(if kind.len() > 2 { 1 } else { 2 }))
         {
-            let titles: Vec<&str> = figures.iter().map(|f| f.figure.title).collect();
+            let titles: Vec<&str> = figures.iter().map(|f| f.figure.title()).collect();
             ui.label(titles.join(", "))
-                .on_hover_text(figures[0].figure.meaning);
+                .on_hover_text(figures[0].figure.meaning());
             for colour in [Some(exact), Some(model), full] {
                 let written = figures
                     .iter()
@@ -155,10 +155,10 @@ fn errors(ui: &mut Ui, app: &App) {
                 let (figure, value) = (measure.figure(), app.derived().figures[*measure]);
                 let name = match measure {
                     // Behind its like it need not say of what.
-                    Measure::Rms => said!("1 nm"),
-                    _ => figure.short,
+                    Measure::Rms => "1 nm",
+                    _ => figure.short(),
                 };
-                ui.label(name).on_hover_text(figure.meaning);
+                ui.label(name).on_hover_text(figure.meaning());
                 ui.monospace(value.map_or_else(String::new, |v| figure.written(v)));
             }
             ui.end_row();

@@ -45,7 +45,7 @@ fn name(measure: Measure) -> String {
     } else {
         ""
     };
-    format!("{}{delta_e}", measure.figure().title)
+    format!("{}{delta_e}", measure.figure().title())
 }
 
 /// The chosen quantity where it exists: a reflectance has no patches.
@@ -64,14 +64,14 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
         ui.label(said!("Error against waves"));
         let choice = Choice {
             name: said!("Figure of the curve"),
-            meaning: now.figure().meaning,
+            meaning: now.figure().meaning(),
             width: ui.available_width() - 8.0,
         };
         choice.show(ui, name(now), |ui| {
             for measure in OF_CURVE {
                 if shown(app, measure) == measure {
                     ui.selectable_value(&mut preferences.curve, measure, name(measure))
-                        .on_hover_text(measure.figure().meaning);
+                        .on_hover_text(measure.figure().meaning());
                 }
             }
         });

@@ -219,7 +219,7 @@ fn about(ui: &mut Ui, reading: &mut Option<usize>) {
         ui.selectable_value(reading, None, said!("Licences of all parts"));
         for (index, licence) in all.iter().enumerate() {
             ui.selectable_value(reading, Some(index), licence.id)
-                .on_hover_text(licence.title);
+                .on_hover_text(said(licence.title));
         }
     });
     let overview;

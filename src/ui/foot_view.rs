@@ -78,7 +78,13 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     if as_it_starts && !of_family.is_empty() {
         return (notice, of_family.to_owned());
     }
-    let question = match hard_to_see_from(app) {
+    let question = question(app, order, !spikes.is_empty());
+    (notice, question)
+}
+
+/// What to try with the waves and lines of a model of so many waves.
+fn question(app: &App, order: usize, has_lines: bool) -> String {
+    match hard_to_see_from(app) {
         Some(from) if from > 0 && order > from => {
             tr!(
                 "Pull Waves left to {waves}. The curve goes wrong: do the colours?",
@@ -91,13 +97,12 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
                 waves = from
             )
         }
-        Some(_) if !spikes.is_empty() => {
+        Some(_) if has_lines => {
             said!("Pull Lines to the left until one drops out: which colours notice?").to_owned()
         }
         Some(_) => said!("Pull Waves left to 0: what is left of the colours?").to_owned(),
         None => said!("Push Waves to the right: do the colours ever come right?").to_owned(),
-    };
-    (notice, question)
+    }
 }
 
 /// What is known of a spectrum in which no line was found.

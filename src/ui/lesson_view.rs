@@ -207,21 +207,7 @@ fn body(
             }
             if !run.is_told() && shown.task.is_none() {
                 ui.add_space(4.0);
-                let (words, meaning, wish) = match run.waits() {
-                    false => (
-                        said!("Hands up"),
-                        said!("A class votes by show of hands: a choice waits until you tell."),
-                        Wish::HandsUp,
-                    ),
-                    true => (
-                        said!("Tell"),
-                        said!("Says which answer is right, and why (Space, Page Down)."),
-                        Wish::Tell,
-                    ),
-                };
-                if pressed(ui, words, meaning) {
-                    wishes.push(wish);
-                }
+                vote(ui, run, wishes);
             }
         });
     }
@@ -272,6 +258,25 @@ fn body(
         end = end.union(ui.min_rect().with_min_y(end.top()));
     }
     [asked, end]
+}
+
+/// The button by which a class votes, or is told.
+fn vote(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
+    let (words, meaning, wish) = match run.waits() {
+        false => (
+            said!("Hands up"),
+            said!("A class votes by show of hands: a choice waits until you tell."),
+            Wish::HandsUp,
+        ),
+        true => (
+            said!("Tell"),
+            said!("Says which answer is right, and why (Space, Page Down)."),
+            Wish::Tell,
+        ),
+    };
+    if pressed(ui, words, meaning) {
+        wishes.push(wish);
+    }
 }
 
 /// Whether a question has no right answer.

@@ -73,7 +73,7 @@ impl Field<'_> {
         swatch::menu(&response, colours);
         response.on_hover_text(match self.source {
             "" => said.clone(),
-            source => tr!("{said}\nMeasured: {source}.", said, source),
+            source => format!("{said}\n{}", tr!("Measured: {source}.", source)),
         })
     }
 

@@ -118,7 +118,7 @@ fn line(ui: &mut Ui, row: &Beside) {
         "" => quantity,
         unit => format!("{quantity}, {}", unit_words(unit)),
     };
-    let figure = of_quantity(&row.quantity).map(|(known, _)| known.figure.meaning);
+    let figure = of_quantity(&row.quantity).map(|(known, _)| known.figure.meaning());
     ui.label(name)
         .on_hover_text(figure.unwrap_or_else(|| meaning(&row.quantity)));
     ui.monospace(written(row.theirs));

@@ -2,10 +2,11 @@
 
 mod spikes;
 
+use crate::ui::kit::{drag_value, slide};
 use std::cell::RefCell;
 
 use eframe::egui;
-use egui::{Slider, SliderClamping, Ui};
+use egui::{SliderClamping, Ui};
 
 use self::spikes::spike_rows;
 use super::{
@@ -93,8 +94,12 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
 fn basis_row(ui: &mut Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
         for basis in Basis::ALL {
-            ui.selectable_value(&mut settings.basis, basis, basis.title())
-                .on_hover_text(basis.meaning());
+            ui.selectable_value(
+                &mut settings.basis,
+                basis,
+                crate::languages::said(basis.name()),
+            )
+            .on_hover_text(crate::languages::said(basis.meaning()));
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, said(names::COLOUR_EXACT))
@@ -109,7 +114,7 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
 fn order_row(ui: &mut Ui, settings: &mut Settings) {
     let label = ui.label(said(names::ORDER));
     ui.add(
-        Slider::new(&mut settings.order, SLIDER_ORDERS)
+        slide(&mut settings.order, SLIDER_ORDERS)
             .clamping(SliderClamping::Never)
             .integer(),
     )
@@ -236,7 +241,7 @@ fn table_beyond(app: &App, band: Band) -> Option<([f64; 2], Band)> {
 /// A wavelength to drag or type, whole nm. What is half typed is no wavelength yet; what was typed
 /// is left in `typed`.
 fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragValue<'a> {
-    egui::DragValue::new(nm)
+    drag_value(nm)
         .speed(1.0)
         .fixed_decimals(0)
         .suffix(" nm")
@@ -288,7 +293,7 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let mut factor = document.weight_factor;
     let changed = ui
         .add(
-            egui::DragValue::new(&mut factor)
+            drag_value(&mut factor)
                 .speed(1.0)
                 .range(WEIGHT_FACTORS)
                 .suffix(" nm"),

@@ -42,9 +42,10 @@ pub fn window_image(app: &App, preferences: &Preferences, size: [u32; 2]) -> Col
         ..preferences.clone()
     };
     let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
+    let language = preferences.language;
     let mut window = Window::new(app.clone(), preferences, no_files, None);
     window.quiet = true;
-    languages::in_language(preferences.language, || {
+    languages::in_language(language, || {
         picture_with(&context, sides(size), 1.0, PASSES, |ui| {
             window.show(ui);
             window.studies.finish();

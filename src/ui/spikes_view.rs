@@ -2,7 +2,7 @@
 
 use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{Align, DragValue, Layout, Ui};
+use egui::{Align, Layout, Ui};
 
 use super::{
     kit::{named_choice, number, pressed, sign_button},

@@ -212,7 +212,7 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
             share = behind.percent()
         );
         ui.label(RichText::new(words).small())
-            .on_hover_text(Measure::RmsBlurred.figure().meaning);
+            .on_hover_text(Measure::RmsBlurred.figure().meaning());
     }
     if let Some(surfaces) = app.surfaces().filter(|_| worst.is_some()) {
         let words = RichText::new(surfaces.brief()).small();
@@ -276,7 +276,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     };
     if let Some((figure, value)) = figure(Measure::Displacement) {
         let words = format!("{}{}", two_digits(figure.shown(value)), figure.unit.tail);
-        row(moved, words, figure.meaning);
+        row(moved, words, figure.meaning());
     }
     if !derived.has_errors() {
         let nothing = said!("nothing to compare").to_owned();

@@ -210,6 +210,7 @@ pub(crate) fn full_preferences() -> Preferences {
         last_of_places: vec![Page::Rainbow, Page::Race],
         photographs_asked: Vec::new(),
         lessons_finished: vec!["prism".to_owned()],
+        language: spectral_explorer::languages::Language::Spanish,
         lesson_language: "de".to_owned(),
         lesson_asked: None,
         follow_asked: None,

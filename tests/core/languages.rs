@@ -49,7 +49,11 @@ fn literal(code: &str) -> Option<(String, &str)> {
                 'n' => text.push('\n'),
                 't' => text.push('\t'),
                 'u' => {
-                    let digits: String = letters.by_ref().map(|(_, c)| c).take_while(|c| *c != '}').collect();
+                    let digits: String = letters
+                        .by_ref()
+                        .map(|(_, c)| c)
+                        .take_while(|c| *c != '}')
+                        .collect();
                     let code = u32::from_str_radix(digits.trim_start_matches('{'), 16).ok()?;
                     text.push(char::from_u32(code)?);
                 }
@@ -70,7 +74,10 @@ fn literal(code: &str) -> Option<(String, &str)> {
 
 /// The texts that are marked in a file's code, in order.
 fn marked(code: &str) -> Vec<Text> {
-    let code: Vec<&str> = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+    let code: Vec<&str> = code
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .collect();
     let code = code.join("\n");
     let mut found: Vec<(usize, Text)> = Vec::new();
     for mark in MARKS {
@@ -82,7 +89,9 @@ fn marked(code: &str) -> Vec<Text> {
                 continue;
             };
             let text = match rest.trim_start().strip_prefix("=>") {
-                Some(rest) => literal(rest.trim_start()).map(|(text, rest)| (Some(first.clone()), text, rest)),
+                Some(rest) => {
+                    literal(rest.trim_start()).map(|(text, rest)| (Some(first.clone()), text, rest))
+                }
                 None => None,
             };
             let (context, text, rest) = text.unwrap_or((None, first, rest));
@@ -137,7 +146,9 @@ fn texts() -> Vec<Text> {
 }
 
 fn path(language: Language) -> PathBuf {
-    root().join("src/languages").join(format!("{}.po", language.code()))
+    root()
+        .join("src/languages")
+        .join(format!("{}.po", language.code()))
 }
 
 fn catalog(language: Language) -> POFile {
@@ -146,7 +157,11 @@ fn catalog(language: Language) -> POFile {
 }
 
 fn key(entry: &POEntry) -> Text {
-    (entry.msgctxt.clone(), entry.msgid.clone(), entry.msgid_plural.clone())
+    (
+        entry.msgctxt.clone(),
+        entry.msgid.clone(),
+        entry.msgid_plural.clone(),
+    )
 }
 
 /// The texts of an entry: one, or one and several.
@@ -158,7 +173,9 @@ fn translations(entry: &POEntry) -> Vec<&str> {
 }
 
 fn languages() -> impl Iterator<Item = Language> {
-    Language::ALL.into_iter().filter(|language| *language != Language::English)
+    Language::ALL
+        .into_iter()
+        .filter(|language| *language != Language::English)
 }
 
 /// The figures and names that a text has room for, each with how often.
@@ -175,7 +192,11 @@ fn rooms(text: &str) -> BTreeMap<&str, usize> {
 fn renewed(language: Language, texts: &[Text]) -> String {
     let catalog = catalog(language);
     let known: BTreeMap<Text, &POEntry> = catalog.entries.iter().map(|e| (key(e), e)).collect();
-    let plural = if language == Language::French { "n > 1" } else { "n != 1" };
+    let plural = if language == Language::French {
+        "n > 1"
+    } else {
+        "n != 1"
+    };
     let quoted = |text: &str| {
         let text = text.replace('\\', "\\\\").replace('"', "\\\"");
         format!("\"{}\"", text.replace('\n', "\\n").replace('\t', "\\t"))
@@ -187,7 +208,10 @@ fn renewed(language: Language, texts: &[Text]) -> String {
         language.code()
     );
     for text in texts {
-        let said = known.get(text).map(|entry| translations(entry)).unwrap_or_default();
+        let said = known
+            .get(text)
+            .map(|entry| translations(entry))
+            .unwrap_or_default();
         let said = |index: usize| quoted(said.get(index).copied().unwrap_or_default());
         let (context, one, several) = text;
         file.push('\n');
@@ -235,7 +259,11 @@ fn every_language_says_every_text_and_nothing_else() {
             })
             .map(|entry| entry.msgid.as_str())
             .collect();
-        assert!(empty.is_empty(), "{}: untranslated {empty:#?}", language.code());
+        assert!(
+            empty.is_empty(),
+            "{}: untranslated {empty:#?}",
+            language.code()
+        );
     }
 }
 
@@ -252,7 +280,12 @@ fn a_translation_has_the_figures_of_its_text() {
                 let found = rooms(text);
                 // One thing may be told with its figure or in words.
                 let fits = found == wanted || form == 0 && found == one;
-                assert!(fits, "{}: {:?} is said {text:?}", language.code(), entry.msgid);
+                assert!(
+                    fits,
+                    "{}: {:?} is said {text:?}",
+                    language.code(),
+                    entry.msgid
+                );
             }
         }
     }
@@ -262,7 +295,11 @@ fn a_translation_has_the_figures_of_its_text() {
 fn a_translation_begins_and_ends_as_its_text_does() {
     let ends = |text: &str| {
         let last = text.trim_end().chars().last();
-        (last.filter(|c| ".:…?!".contains(*c)), text.starts_with(' '), text.ends_with(' '))
+        (
+            last.filter(|c| ".:…?!".contains(*c)),
+            text.starts_with(' '),
+            text.ends_with(' '),
+        )
     };
     for language in languages() {
         for entry in &catalog(language).entries {

@@ -11,20 +11,42 @@ use std::{
 /// The rooms of `src`, and which others each may use.
 const ROOMS: [(&str, &[&str]); 18] = [
     ("languages", &[]),
-    ("spectrum", &[]),
-    ("preset", &["spectrum"]),
-    ("color", &["preset", "spectrum"]),
-    ("rivals", &["spectrum"]),
-    ("study", &["rivals", "color", "spectrum"]),
-    ("design", &["study", "color", "preset", "spectrum"]),
-    ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
-    ("optics", &["study", "color", "spectrum"]),
-    ("measurements", &["color", "preset", "spectrum"]),
-    ("photographs", &["color", "preset", "spectrum"]),
-    ("io", &["spectrum"]),
-    ("streams", &["io", "spectrum"]),
-    ("live", &["streams", "measurements", "color", "spectrum"]),
-    ("pictures", &["io", "study", "color", "preset", "spectrum"]),
+    ("spectrum", &["languages"]),
+    ("preset", &["spectrum", "languages"]),
+    ("color", &["preset", "spectrum", "languages"]),
+    ("rivals", &["spectrum", "languages"]),
+    ("study", &["rivals", "color", "spectrum", "languages"]),
+    (
+        "design",
+        &["study", "color", "preset", "spectrum", "languages"],
+    ),
+    (
+        "lamps",
+        &[
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "languages",
+        ],
+    ),
+    ("optics", &["study", "color", "spectrum", "languages"]),
+    (
+        "measurements",
+        &["color", "preset", "spectrum", "languages"],
+    ),
+    ("photographs", &["color", "preset", "spectrum", "languages"]),
+    ("io", &["spectrum", "languages"]),
+    ("streams", &["io", "spectrum", "languages"]),
+    (
+        "live",
+        &["streams", "measurements", "color", "spectrum", "languages"],
+    ),
+    (
+        "pictures",
+        &["io", "study", "color", "preset", "spectrum", "languages"],
+    ),
     (
         "app",
         &[

@@ -13,6 +13,7 @@ use spectral_explorer::{
         verdicts::Seen,
         workspace::Preferences,
     },
+    spectrum::Kind,
     ui::{Window, files::Picked, look_view::names as knobs, saver::Saver},
 };
 
@@ -183,7 +184,7 @@ fn a_lesson_that_is_not_about_the_model_judges_none() {
             begun(&mut ui, &lesson, index);
             for seen in Seen::ALL {
                 let brief = format!("Difference {}", seen.seen());
-                for verdict in [seen.verdict("light"), seen.verdict("surface"), brief] {
+                for verdict in [seen.verdict(Kind::Light), seen.verdict(Kind::Reflectance), brief] {
                     let step = index + 1;
                     assert!(!is_written(&ui, &verdict), "{name}, step {step}: {verdict}");
                 }

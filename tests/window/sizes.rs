@@ -16,6 +16,7 @@ use spectral_explorer::{
         pages::{Page, Place},
         workspace::Preferences,
     },
+    languages::{self, Language},
     ui::{kit::HEADLINE, theme},
 };
 
@@ -276,6 +277,58 @@ fn every_page_knows_the_second_light_and_nothing_collides_or_is_cut() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A page at the smallest window and at a usual one, in the languages whose words are longest.
+fn assert_sound_in(language: Language) {
+    let mut wrong = Vec::new();
+    for page in Page::all() {
+        let mut preferences = Preferences {
+            page,
+            greeted: true,
+            ..Preferences::default()
+        };
+        preferences.speak(language);
+        languages::in_language(language, || {
+            walk(preferences, &[[1280.0, 800.0], [1000.0, 700.0]], &mut wrong);
+        });
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn nothing_collides_or_is_cut_in_german() {
+    assert_sound_in(Language::German);
+}
+
+#[test]
+fn nothing_collides_or_is_cut_in_spanish() {
+    assert_sound_in(Language::Spanish);
+}
+
+#[test]
+fn nothing_collides_or_is_cut_in_french() {
+    assert_sound_in(Language::French);
+}
+
+#[test]
+fn another_language_is_spoken_at_once_everywhere_and_kept() {
+    let mut ui = over(Preferences::default(), [1280.0, 800.0]);
+    for (menu, name, open) in [
+        ("Language", "Deutsch", "Öffnen"),
+        ("Sprache", "Español", "Abrir"),
+        ("Idioma", "Français", "Ouvrir"),
+        ("Langue", "English", "Open"),
+    ] {
+        ui.get_by_role_and_label(Role::Button, menu).click();
+        rest(&mut ui);
+        ui.get_by_label(name).click();
+        rest(&mut ui);
+        assert!(ui.query_by_label(open).is_some(), "{name}");
+        let preferences = &ui.state().0.preferences;
+        assert_eq!(preferences.language.name(), name);
+        assert_eq!(preferences.lesson_language, preferences.language.code());
+    }
 }
 
 #[test]

@@ -236,7 +236,7 @@ fn a_slider_moves_everything_in_the_same_frame() {
                 .parse()
                 .expect("a number");
             assert_written(&ui, &format!("ΔE₀₀ {two} at"));
-            assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict("light"));
+            assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict(Kind::Light));
         } else {
             let own = app(&ui).derived().colour.delta_e_2000.expect("a colour");
             assert_written(&ui, &format!("ΔE₀₀ {own:.3}"));

@@ -1,6 +1,5 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use crate::languages::fixed;
 use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words};
 use crate::{
     app::{
@@ -12,6 +11,7 @@ use crate::{
         studies::AuctionAsk,
     },
     io::many::numbers,
+    languages::{fixed, said},
     study::{
         Auction, FitVariant, Goal, Verdict,
         auction::{Bid, Ended, Purchase, Step},
@@ -47,8 +47,8 @@ pub fn goal_within(app: &App, goal: Goal) -> Goal {
 /// The goal in words: "ΔE₀₀ on the patches (mean)", "mix of errors (own 1, filters 2)".
 pub fn goal_words(goal: Goal) -> String {
     match goal.plain_measure() {
-        Some(measure) if measure.is_colour() => format!("ΔE₀₀ {}", measure.figure().goal),
-        Some(measure) => measure.figure().goal.to_owned(),
+        Some(measure) if measure.is_colour() => format!("ΔE₀₀ {}", measure.figure().goal()),
+        Some(measure) => measure.figure().goal().to_owned(),
         None => tr!("mix of errors ({words})", words = goal.words()),
     }
 }
@@ -81,7 +81,11 @@ fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) ->
             let index = auction.lines.iter().position(|line| line == spike);
             let name = index.and_then(|i| names.get(i)?.safe.as_deref());
             match name.and_then(|name| name.split_once(' ')) {
-                Some((element, _)) => tr!("line {at_nm} nm ({element})", at_nm = fixed(spike.at_nm, 1), element),
+                Some((element, _)) => tr!(
+                    "line {at_nm} nm ({element})",
+                    at_nm = fixed(spike.at_nm, 1),
+                    element
+                ),
                 None => tr!("line {at_nm} nm", at_nm = fixed(spike.at_nm, 1)),
             }
         }
@@ -123,7 +127,7 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
         .map(|line| line.at_nm)
         .collect();
     places.sort_by(f64::total_cmp);
-        let words: Vec<String> = places.iter().map(|nm| fixed(nm, 1)).collect();
+    let words: Vec<String> = places.iter().map(|nm| fixed(nm, 1)).collect();
     let (waves, places) = (waves_words(step.order), words.join(", "));
     match (words.len(), step.wide) {
         (0, _) => tr!("{waves} and no lines", waves),
@@ -147,7 +151,7 @@ pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
     let (last, most) = (auction.last(), numbers(ask.terms.numbers));
     let model = model_words(auction, last);
     match auction.ended {
-                Ended::Spent => tr!(
+        Ended::Spent => tr!(
             "{spent} of {most} buy {model}.",
             spent = last.numbers,
             most,
@@ -207,9 +211,19 @@ impl AuctionChart {
         };
         let series = vec![
             stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
-            Series::line(said!("waves only, no lines"), Ink::Smooth, bids(&auction.without))
-                .dashed(Dash::Dotted),
-            stroke(said!("the auction"), Ink::Measured, corners, 2.2, Dash::Solid),
+            Series::line(
+                said!("waves only, no lines"),
+                Ink::Smooth,
+                bids(&auction.without),
+            )
+            .dashed(Dash::Dotted),
+            stroke(
+                said!("the auction"),
+                Ink::Measured,
+                corners,
+                2.2,
+                Dash::Solid,
+            ),
             Series::points(said!("bought"), Ink::Residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = FitVariant::new(terms.basis, false, terms.colour_exact);
@@ -222,7 +236,7 @@ impl AuctionChart {
                 "{subject}: the auction for {goal} ({way})",
                 subject = ask.about.subject.0.name(),
                 goal = goal_words(terms.goal),
-                way = way.title()
+                way = said(way.title())
             ),
             x_label: said!("Numbers").to_owned(),
             y_label,
@@ -277,7 +291,7 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
         let gave = purchases_words(&step.gave_back, auction, names);
         note.push(tr!("gave back {gave}", gave));
     }
-        let (waves, lines) = (waves_words(step.order), spikes_words(step.lines.len()));
+    let (waves, lines) = (waves_words(step.order), spikes_words(step.lines.len()));
     let numbers = numbers(step.numbers);
     note.push(match step.wide {
         true => tr!(
@@ -300,7 +314,7 @@ pub fn gain_words(before: f64, now: f64) -> String {
         return "–".to_owned();
     }
     if gain >= 99.95 {
-                format!("> {} %", fixed(99.9, 1))
+        format!("> {} %", fixed(99.9, 1))
     } else if gain < 0.05 {
         format!("< {} %", fixed(0.1, 1))
     } else {

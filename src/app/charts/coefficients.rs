@@ -206,7 +206,7 @@ impl<'a> Draw<'a> {
     }
 
     fn light(&self) -> Option<Chart> {
-                let title = if self.app.document().is_about_light() {
+        let title = if self.app.document().is_about_light() {
             said!("Coefficients of the light")
         } else {
             said!("Coefficients of the reflectance")
@@ -241,7 +241,11 @@ impl<'a> Draw<'a> {
         if document.is_about_light() {
             function.to_owned()
         } else {
-            tr!("{function} times {light}", function, light = document.light.name())
+            tr!(
+                "{function} times {light}",
+                function,
+                light = document.light.name()
+            )
         }
     }
 
@@ -282,7 +286,10 @@ impl<'a> Draw<'a> {
         let points = self.orders.iter().map(point).collect();
         let name = CHANNELS[k];
         let bars = Series::bars(tr!("added to {name}", name), Ink::Residual, 0.72, points);
-        let title = tr!("Their product: the part of {name} that each wave adds", name);
+        let title = tr!(
+            "Their product: the part of {name} that each wave adds",
+            name
+        );
         Some(self.chart(&title, &tr!("% of {name}", name), vec![bars]))
     }
 
@@ -331,14 +338,18 @@ impl<'a> Draw<'a> {
         let mut series = vec![
             self.level("5 %", LIMIT_PERCENT),
             line(&tr!("missed of {name}", name), Ink::Residual, &missed),
-            line(said!("term n / term 0"), Ink::Smooth, &|o| o.share_of_first[k]).dashed(Dash::Dashed),
+            line(said!("term n / term 0"), Ink::Smooth, &|o| {
+                o.share_of_first[k]
+            })
+            .dashed(Dash::Dashed),
         ];
         if self.orders.iter().any(|o| o.bound.is_some()) {
             let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
             // The printed 4/n is twice the corrected 2/n for every lobe.
             let printed = |order: &Order| order.bound.map(|b| b.channels_as_printed[k]);
             series.push(line(said!("bound, 2/n"), Ink::Spikes, &bound));
-            series.push(line(said!("as printed, 4/n"), Ink::Product, &printed).dashed(Dash::Dotted));
+            series
+                .push(line(said!("as printed, 4/n"), Ink::Product, &printed).dashed(Dash::Dotted));
         }
         let in_force = self.app.derived().model.smooth().order();
         let mark = |order: &Order| {

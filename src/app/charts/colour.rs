@@ -9,9 +9,9 @@ use crate::{
         },
         design::{colour::ColourSheet, method_name},
     },
-        color::srgb_from_wavelength,
-    languages::said,
+    color::srgb_from_wavelength,
     design::recover::{BAND, LineLight, Method, Recovered, node_nm},
+    languages::said,
     spectrum::Outside,
 };
 
@@ -36,7 +36,7 @@ pub fn colour_chart(sheet: &ColourSheet) -> Chart {
         }
         for example in &sheet.examples {
             let points = edge(example);
-                                    let name = said(EXAMPLES);
+            let name = said(EXAMPLES);
             series.push(stroke(name, Ink::Faint, points, 1.0, Dash::Solid));
         }
     }

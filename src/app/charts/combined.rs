@@ -6,7 +6,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         combining::{Found, LineRow, Part, measurements},
     },
-        languages::with_sign,
+    languages::with_sign,
     measurements::{Measurement, Quantity, mean_of, rounded},
     spectrum::Band,
 };
@@ -60,8 +60,16 @@ pub fn readings_chart(sets: &[Vec<Part>; 2]) -> Chart {
         chart.x_range[0] = chart.x_range[0].min(nm[0]);
         chart.x_range[1] = chart.x_range[1].max(nm[nm.len() - 1]);
     }
-    for ((set, ink), name) in sets.iter().zip(inks).zip([said!("first set"), said!("second set")]) {
-        let name = if sets[1].is_empty() { said!("as read") } else { name };
+    for ((set, ink), name) in sets
+        .iter()
+        .zip(inks)
+        .zip([said!("first set"), said!("second set")])
+    {
+        let name = if sets[1].is_empty() {
+            said!("as read")
+        } else {
+            name
+        };
         let curves = set
             .iter()
             .flat_map(|part| thin(&part.of, name, ink, Dash::Solid));

@@ -1,6 +1,5 @@
 //! The place "Design" as charts: channels and what they reach among colours, the mixed spectrum.
 
-use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series, Shape, curve, stroke},
@@ -25,6 +24,7 @@ use crate::{
         mixture::Source,
         solve::{Against, FrontPoint},
     },
+    languages::fixed,
     spectrum::Band,
 };
 
@@ -179,7 +179,7 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Char
         .collect();
     let note = |(point, value): &(&FrontPoint, f64)| {
         let ler = point.figures.ler;
-                format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
+        format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
     };
     let dots = Series::points(said!("best found"), Ink::Spikes, Shape::Dot, places.clone());
     let mut series = vec![
@@ -191,7 +191,12 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Char
         .as_ref()
         .and_then(|figures| Some([figures.ler, against.of(figures)?]));
     if let Some(here) = here {
-        let ring = Series::points(said!("the faders now"), Ink::Measured, Shape::Ring, vec![here]);
+        let ring = Series::points(
+            said!("the faders now"),
+            Ink::Measured,
+            Shape::Ring,
+            vec![here],
+        );
         series.push(ring);
     }
     let all = || places.iter().copied().chain(here);

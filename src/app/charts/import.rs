@@ -45,7 +45,7 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
         .flat_map(|s| [s.samples.first_nm(), s.samples.last_nm()]);
     let y_label = shown.first().map_or_else(String::new, |s| {
         if kinds_differ {
-                        said!("value").to_owned()
+            said!("value").to_owned()
         } else if s.unit.is_empty() || s.unit == s.kind.word() {
             kind_words(s.kind).to_owned()
         } else {
@@ -54,7 +54,7 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
     });
     let title = match spectra.len() {
         0 | 1 => tr!("Curve of {file}", file),
-                n if n > MOST_CURVES => tr!(
+        n if n > MOST_CURVES => tr!(
             "The first {shown} of {n} curves of {file} (+ {more} more)",
             shown = MOST_CURVES,
             n,
@@ -65,8 +65,13 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
     };
     let title = match cut {
         Some((_, share)) => {
-                        let [low, high] = [share, 1.0 - share].map(|share| short(100.0 * share));
-            tr!("{title}; height: {low}–{high} % of values", title, low, high)
+            let [low, high] = [share, 1.0 - share].map(|share| short(100.0 * share));
+            tr!(
+                "{title}; height: {low}–{high} % of values",
+                title,
+                low,
+                high
+            )
         }
         None => title,
     };
@@ -98,7 +103,7 @@ fn kind_words(kind: Kind) -> &'static str {
 fn named(spectrum: &NamedSpectrum, with_kind: bool) -> String {
     let name = short_name(&spectrum.name);
     if with_kind {
-                format!("{name} ({})", kind_words(spectrum.kind))
+        format!("{name} ({})", kind_words(spectrum.kind))
     } else {
         name
     }

@@ -19,7 +19,8 @@ pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
     let unit = if top > 0.0 { top } else { 1.0 };
     let points = |values: &[f64]| curve(band.grid(), values.iter().map(|v| v / unit));
     let (floor, measured) = (vec![0.0; band.points()], points(&found.measured));
-    let mut series = vec![Series::area(said!("measured"), Ink::Measured, measured, floor).coloured()];
+    let mut series =
+        vec![Series::area(said!("measured"), Ink::Measured, measured, floor).coloured()];
     let parts = found.parts.iter().zip((0..).map(Ink::Overlay));
     for ((title, values), ink) in parts {
         series.push(Series::line(*title, ink, points(values)).dashed(Dash::Dashed));
@@ -36,7 +37,11 @@ pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
     series.push(Series::line(said!("from the words"), Ink::Model, decoded));
     let off = less(&found.decoded, &found.measured);
     Chart {
-        title: tr!("{name} in {words} numbers", name, words = found.encoded.words.len()),
+        title: tr!(
+            "{name} in {words} numbers",
+            name,
+            words = found.encoded.words.len()
+        ),
         x_label: said!("Wavelength, nm").to_owned(),
         y_label: said!("Of the measured peak").to_owned(),
         x_range: [band.min_nm(), band.max_nm()],

@@ -6,7 +6,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Rgb, Series, curve, stroke},
         live_figures::SUM_MEANS,
     },
-        color::srgb_of_fill,
+    color::srgb_of_fill,
     languages::{fixed, said},
     live::{Shown, Track, Tracks},
     measurements::{Measurement, Quantity},
@@ -39,14 +39,18 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
     // Alone it is what the title says.
     let name = match peak.is_none() && shown.clipped.is_empty() {
         true => "",
-                false => said!("newest"),
+        false => said!("newest"),
     };
     let mut series = vec![match is_light {
         true => Series::area(name, Ink::Measured, points(&shown.of), Vec::new()).coloured(),
         false => Series::line(name, Ink::Measured, points(&shown.of)),
     }];
     if let Some(peak) = peak {
-        series.push(Series::line(said!("highest so far"), Ink::Second, points(peak)));
+        series.push(Series::line(
+            said!("highest so far"),
+            Ink::Second,
+            points(peak),
+        ));
     }
     let clipped = shown
         .clipped
@@ -54,12 +58,18 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
         .flat_map(|at| hatched(*at, x_range, top));
     let clipped: Vec<[f64; 2]> = clipped.collect();
     if !clipped.is_empty() {
-        series.push(stroke(said!("clipped"), Ink::Spikes, clipped, 1.4, Dash::Solid));
+        series.push(stroke(
+            said!("clipped"),
+            Ink::Spikes,
+            clipped,
+            1.4,
+            Dash::Solid,
+        ));
     }
     let steps = (x_range[1] - x_range[0]).ceil().clamp(1.0, 2000.0);
     let nm = |i: usize| x_range[0] + (x_range[1] - x_range[0]) * i as f64 / steps;
     Chart {
-                title: tr!("Spectrum of {name}", name = shown.of.name),
+        title: tr!("Spectrum of {name}", name = shown.of.name),
         y_label: match shown.of.quantity {
             Quantity::Counts => said!("Counts").to_owned(),
             Quantity::Light => value_label(&shown.of.unit),
@@ -120,9 +130,12 @@ fn hatched([from, to]: [f64; 2], [first, last]: [f64; 2], top: f64) -> Vec<[f64;
 /// What tracks are called, with their meaning.
 pub fn track_words(track: Track) -> (&'static str, &'static str) {
     match track {
-                Track::Y => ("Y", said(SUM_MEANS)),
+        Track::Y => ("Y", said(SUM_MEANS)),
         Track::Cct => ("CCT", said!("Correlated colour temperature, K.")),
-        Track::Glow => (said!("Glow"), said!("Share of the power that is no line, per cent.")),
+        Track::Glow => (
+            said!("Glow"),
+            said!("Share of the power that is no line, per cent."),
+        ),
         Track::Lines => (
             said!("Lines"),
             said!("Weights of the lines, in the unit of the values x nm."),
@@ -155,7 +168,7 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
     let series: Vec<Series> = series.collect();
     let is_empty = series.iter().all(|series| series.marks.points().len() < 2);
     let mut chart = Chart {
-                title: match track {
+        title: match track {
             Track::Y => said!("Y over time"),
             Track::Cct => said!("CCT over time"),
             Track::Glow => said!("Glow over time"),
@@ -165,7 +178,7 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
         x_label: tr!("Time ({unit})", unit),
         y_label: match track {
             Track::Y => "Y".to_owned(),
-                        Track::Cct => "CCT (K)".to_owned(),
+            Track::Cct => "CCT (K)".to_owned(),
             Track::Glow => said!("Share of the glow (%)").to_owned(),
             Track::Lines => said!("Weight of the lines").to_owned(),
         },

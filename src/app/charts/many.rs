@@ -12,7 +12,8 @@ use crate::{
         studies::ManyAsk,
         ticks::short,
     },
-        spectrum::numbers_of_order,
+    languages::said,
+    spectrum::numbers_of_order,
     study::{FitVariant, ManyLights, Measure, SweptLight},
 };
 
@@ -56,24 +57,33 @@ impl Wanted {
         let figure = self.measure.figure();
         let limit = short(self.limit * figure.unit.factor);
         match figure.unit == Unit::DELTA_E {
-            true => tr!("{title} at most ΔE₀₀ {limit}", title = figure.title, limit),
-            false => tr!("{title} at most {limit}{tail}", title = figure.title, limit, tail = figure.unit.tail),
+            true => tr!(
+                "{title} at most ΔE₀₀ {limit}",
+                title = figure.title(),
+                limit
+            ),
+            false => tr!(
+                "{title} at most {limit}{tail}",
+                title = figure.title(),
+                limit,
+                tail = figure.unit.tail
+            ),
         }
     }
 }
 
 /// The answer in a sentence.
 pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
-        let lights = tr!("{n} light" | "{n} lights" % many.lights.len());
+    let lights = tr!("{n} light" | "{n} lights" % many.lights.len());
     let limit = wanted.limit_words();
     let highest = many.highest_order;
     let enough = |(order, count): (usize, usize)| {
         tr!(
-            "{n} wave ({numbers} numbers and two for each line) is enough for {count} of {lights}: \
-             {limit}."
+            "{n} wave ({numbers} numbers and two for each line) is enough for {count} of \
+             {lights}: {limit}."
                 | "{n} waves ({numbers} numbers and two for each line) are enough for {count} of \
                    {lights}: {limit}."
-                % order,
+                    % order,
             numbers = numbers_of_order(order),
             count,
             lights,
@@ -82,10 +92,11 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     };
     let enough_without = |(order, count): (usize, usize)| {
         tr!(
-            "Without lines {n} wave ({numbers} numbers) is enough for {count} of {lights}: {limit}."
-                | "Without lines {n} waves ({numbers} numbers) are enough for {count} of {lights}: \
-                   {limit}."
-                % order,
+            "Without lines {n} wave ({numbers} numbers) is enough for {count} of {lights}: \
+             {limit}."
+                | "Without lines {n} waves ({numbers} numbers) are enough for {count} of \
+                   {lights}: {limit}."
+                    % order,
             numbers = numbers_of_order(order),
             count,
             lights,
@@ -104,23 +115,18 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
         ],
         [Some(with), None] => [
             enough(with),
-            tr!(
-                "Without lines {n} wave is not enough." | "Without lines {n} waves are not enough."
-                    % highest
-            ),
+            tr!("Without lines {n} wave is not enough."
+                | "Without lines {n} waves are not enough." % highest),
         ],
         [None, Some(without)] => [
             enough_without(without),
-            tr!(
-                "With lines {n} wave is not enough." | "With lines {n} waves are not enough."
-                    % highest
-            ),
+            tr!("With lines {n} wave is not enough."
+                | "With lines {n} waves are not enough." % highest),
         ],
         [None, None] => {
             return tr!(
                 "{n} wave is not enough for {share} % of {lights}: {limit}."
-                    | "{n} waves are not enough for {share} % of {lights}: {limit}."
-                    % highest,
+                    | "{n} waves are not enough for {share} % of {lights}: {limit}." % highest,
                 share = short(100.0 * wanted.share),
                 lights,
                 limit
@@ -143,7 +149,12 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
     let shown = enough.map_or(last, |order| (2 * order.max(LEAST_ENOUGH)) as f64);
     let wish = 100.0 * wanted.share;
     let mut series = vec![
-        Series::line(said!("target"), Ink::Measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
+        Series::line(
+            said!("target"),
+            Ink::Measured,
+            vec![[0.0, wish], [last, wish]],
+        )
+        .dashed(Dash::Dotted),
     ];
     for (spikes, name, ink, dash) in [
         (false, said!("without lines"), Ink::Smooth, Dash::Dashed),
@@ -166,7 +177,11 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
         x_range: [0.0, shown.min(last)],
         y_range: Some([0.0, 100.0]),
         series,
-        notes: vec![format!("{}; {}", wanted.limit_words(), wanted.way.title())],
+        notes: vec![format!(
+            "{}; {}",
+            wanted.limit_words(),
+            said(wanted.way.title())
+        )],
         ..Chart::default()
     }
 }
@@ -199,7 +214,7 @@ pub fn rows<'a>(many: &'a ManyLights, wanted: Wanted, order: usize) -> Vec<ManyR
 
 /// The lights as a table, with what was asked.
 pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Table {
-        let comments = format!(
+    let comments = format!(
         "# question: {}\n# way: {}\n# answer: {}\n# range: {}-{} nm\n",
         wanted.limit_words(),
         wanted.way.word(),
@@ -216,21 +231,27 @@ pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Tab
     };
     let columns = Columns::<ManyRow<'_>>::default()
         .with("light", |row| cell(row.light.name.as_str()))
-                .titled(
+        .titled(
             said!("light"),
             said!("Sorted by need: the light that needs most comes first."),
         )
         .with("class", |row| cell(row.light.class.as_str()))
         .and(enough("order", 0))
-                .figures(said!("waves"), said!("From it on every count of waves is good enough."))
+        .figures(
+            said!("waves"),
+            said!("From it on every count of waves is good enough."),
+        )
         .and(enough("lines", 1))
-                .figures(said!("lines"), said!("Lines that are kept, two numbers each."))
+        .figures(
+            said!("lines"),
+            said!("Lines that are kept, two numbers each."),
+        )
         .and(enough("numbers", 2))
-                .figures(said!("numbers"), said!("2N + 1, and two for each line."))
-                .with(format!("{}_at_order_{order}", measure.key), |row| {
+        .figures(said!("numbers"), said!("2N + 1, and two for each line."))
+        .with(format!("{}_at_order_{order}", measure.key), |row| {
             cell(row.now).shown(measure.in_column(row.now))
         })
-        .figures(tr!("with {order}", order), measure.meaning);
+        .figures(tr!("with {order}", order), measure.meaning());
     Table::new(comments, columns, rows(many, wanted, order))
 }
 

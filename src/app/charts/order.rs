@@ -10,7 +10,7 @@ use crate::{
         ticks::extent,
         verdicts::{HARD_TO_SEE, Seen},
     },
-        study::Measure,
+    study::Measure,
 };
 
 /// An error at every order: CIEDE2000, or percent.
@@ -38,7 +38,7 @@ pub fn curve_chart(app: &App) -> Chart {
         title: tr!(
             "{subject}: error against waves ({basis}, {n} line)"
                 | "{subject}: error against waves ({basis}, {n} lines)"
-                % derived.model.lines().len(),
+                    % derived.model.lines().len(),
             subject = document.subject_entry().name(),
             basis = basis_words(derived.model.smooth().basis)
         ),

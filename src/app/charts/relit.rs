@@ -1,12 +1,12 @@
 //! The charts of a picture in few numbers: error against numbers, and one pixel's spectrum.
 
-use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
         charts::units::kind_label,
         relit::{Fit, Looked, Turned},
     },
+    languages::fixed,
     pictures::{Candidate, ReferenceKind},
 };
 
@@ -78,7 +78,12 @@ fn ways(looked: &Looked) -> [(ReferenceKind, bool, String, Ink); 5] {
     let by_mean = said!("series × mean");
     [
         (ReferenceKind::One, false, said!("series"), Ink::Smooth),
-        (ReferenceKind::One, true, said!("series, lines"), Ink::Residual),
+        (
+            ReferenceKind::One,
+            true,
+            said!("series, lines"),
+            Ink::Residual,
+        ),
         (ReferenceKind::Light, false, &by_light, Ink::Smooth),
         (ReferenceKind::Mean, false, by_mean, Ink::Product),
         (
@@ -116,16 +121,19 @@ pub fn difference_chart(turned: &Turned) -> Chart {
         let boxes = Series::bars("", Ink::Smooth, 0.9 * width, points.collect());
         series.push(boxes);
         for (name, at, ink, dash) in [
-                        (said!("mean"), spread.mean, Ink::Measured, Dash::Solid),
+            (said!("mean"), spread.mean, Ink::Measured, Dash::Solid),
             ("95 %", spread.p95, Ink::Spikes, Dash::Dashed),
-                        (said!("most"), spread.max, Ink::Product, Dash::Dotted),
+            (said!("most"), spread.max, Ink::Product, Dash::Dotted),
         ] {
             let line = vec![[at, 0.5], [at, 2.0 * highest]];
             series.push(Series::line(format!("{name} {}", fixed(at, 2)), ink, line).dashed(dash));
         }
     }
     Chart {
-        title: tr!("Pixels by their difference under {light}", light = turned.light),
+        title: tr!(
+            "Pixels by their difference under {light}",
+            light = turned.light
+        ),
         x_label: "ΔE₀₀".to_owned(),
         x_range: [0.0, 1.04 * most],
         y_label: said!("Pixels").to_owned(),

@@ -1,6 +1,5 @@
 //! The spectrum plot: the window draws it and files hold it.
 
-use crate::languages::{fixed, said};
 use super::{combined::doubted, units::subject_label};
 use crate::{
     app::{
@@ -14,7 +13,8 @@ use crate::{
         ticks::short,
     },
     color::srgb_of_fill,
-        io::many::numbers,
+    io::many::numbers,
+    languages::fixed,
     spectrum::{Band, Basis, Line, NamedSpectrum, Sampled},
 };
 
@@ -32,9 +32,6 @@ const MOST_TAGGED: usize = 6;
 /// A logarithmic axis shows this much below the largest value.
 const LOG_FLOOR: f64 = 1e-5;
 
-/// The name of the series of the model's spikes: a point of it is a spike of the model.
-pub const SPIKES: &str = later!("lines");
-
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
@@ -43,10 +40,9 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let has_subject = app.is_measured_in_range();
     let (name, model) = (subject.name(), &derived.model);
     let title = match view.model {
-                true => tr!(
+        true => tr!(
             "{name}: {numbers} ({basis} order {order}, {n} line)"
-                | "{name}: {numbers} ({basis} order {order}, {n} lines)"
-                % model.lines().len(),
+                | "{name}: {numbers} ({basis} order {order}, {n} lines)" % model.lines().len(),
             name,
             numbers = numbers(derived.numbers()),
             basis = basis_words(model.smooth().basis),
@@ -142,7 +138,11 @@ fn spectrum_series(app: &App) -> Vec<Series> {
             series.push(Series::line(said!("measured"), Ink::Measured, points));
         }
         if let Some(of) = document.subject_entry().measured.as_deref() {
-            series.extend(doubted(of, said!("95 % of the measured"), app.scale_factor()));
+            series.extend(doubted(
+                of,
+                said!("95 % of the measured"),
+                app.scale_factor(),
+            ));
         }
     }
     // Over the fill, which would hide them where they are lower.
@@ -166,12 +166,18 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     }
     if view.smooth {
         let line = curve(app, &derived.smooth);
-        series.push(stroke(said!("smooth part"), Ink::Smooth, line, 2.34, Dash::Solid));
+        series.push(stroke(
+            said!("smooth part"),
+            Ink::Smooth,
+            line,
+            2.34,
+            Dash::Solid,
+        ));
     }
     if view.spikes {
         series.extend(bells(app));
         let spikes = derived.model.lines();
-        let stems = stems(app, (said(SPIKES), Ink::Spikes), spikes, &derived.smooth);
+        let stems = stems(app, (said!("lines"), Ink::Spikes), spikes, &derived.smooth);
         series.push(stems.labelled(labels(app, spikes)));
     }
     series
@@ -228,11 +234,15 @@ fn labels(app: &App, spikes: &[Line]) -> Vec<String> {
             Some(name) => name.clone(),
             // Dark lines stand close: their numbers would lie over the curve.
             None if spike.weight < 0.0 => return String::new(),
-                        None => fixed(spike.at_nm, 1),
+            None => fixed(spike.at_nm, 1),
         };
         match share(spike) {
             Some(share) if share.abs() >= largest => {
-                tr!("{name}\n{share} % of the power", name, share = fixed(share, 1))
+                tr!(
+                    "{name}\n{share} % of the power",
+                    name,
+                    share = fixed(share, 1)
+                )
             }
             Some(share) => format!("{name}\n{} %", fixed(share, 1)),
             None => name,
@@ -314,7 +324,12 @@ fn bells(app: &App) -> Option<Series> {
     derived.model.has_widths().then(|| {
         let points = curve(app, &derived.outline());
         let base = curve(app, &derived.smooth).iter().map(|p| p[1]).collect();
-        Series::area(said!("lines as wide as they are"), Ink::Spikes, points, base)
+        Series::area(
+            said!("lines as wide as they are"),
+            Ink::Spikes,
+            points,
+            base,
+        )
     })
 }
 
@@ -348,7 +363,7 @@ fn residual(app: &App) -> Panel {
 fn nothing_here(app: &App) -> String {
     let band = app.derived().band;
     let samples = &app.document().subject_entry().spectrum.samples;
-        tr!(
+    tr!(
         "Nothing was measured from {from} to {to} nm. The table covers {first} to {last} nm.",
         from = short(band.min_nm()),
         to = short(band.max_nm()),
@@ -361,7 +376,10 @@ fn nothing_here(app: &App) -> String {
 pub fn provenance(app: &App) -> Vec<String> {
     let document = app.document();
     let mut notes = source_of(&document.subject_entry().spectrum);
-    notes.push(by_program(&tr!("Scale: {scale}.", scale = document.scale.words())));
+    notes.push(by_program(&tr!(
+        "Scale: {scale}.",
+        scale = document.scale.words()
+    )));
     notes
 }
 
@@ -397,7 +415,7 @@ pub(super) fn source_of(spectrum: &NamedSpectrum) -> Vec<String> {
 
 /// A sentence, and what program says so.
 pub(super) fn by_program(sentence: &str) -> String {
-        format!(
+    format!(
         "{sentence} Spectral Explorer {}.",
         env!("CARGO_PKG_VERSION")
     )

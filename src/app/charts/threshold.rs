@@ -9,6 +9,7 @@ use crate::{
         studies::SweepAsk,
     },
     io::many::numbers,
+    languages::said,
     spectrum::SpikeEdits,
     study::{FitVariant, Measure, Sweep},
 };
@@ -26,7 +27,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
         .map(|i| {
             let (row, order) = (i / columns, i % columns);
             let spikes = map.spikes[row];
-                        tr!(
+            tr!(
                 "{lines} at this threshold: {numbers}\n{figures}\nClick to take this model.",
                 lines = spikes_words(spikes),
                 numbers = numbers(2 * order + 1 + 2 * spikes),
@@ -47,8 +48,8 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
         title: tr!(
             "{subject}: {figure} by waves and lines ({way})",
             subject = ask.about.subject.0.name(),
-            figure = measure.figure().title,
-            way = way.title()
+            figure = measure.figure().title(),
+            way = said(way.title())
         ),
         x_label: said!("Waves").to_owned(),
         y_label: said!("Lines above, % of the power").to_owned(),
@@ -58,7 +59,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
             cells.y_edges.last().copied().unwrap_or(5.0),
         ]),
         y_scale: Scale::Log10,
-        series: vec![Series::cells(measure.figure().title, cells).with_notes(notes)],
+        series: vec![Series::cells(measure.figure().title(), cells).with_notes(notes)],
         notes: origin(&ask.about),
         ..Chart::default()
     }

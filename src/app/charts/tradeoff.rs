@@ -8,10 +8,11 @@ use crate::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         pages::WaysShown,
         settings::Detector,
-                studies::{About, SweepAsk},
+        studies::{About, SweepAsk},
         ticks::short,
     },
-        io::many::numbers,
+    io::many::numbers,
+    languages::said,
     spectrum::{Basis, SpikeEdits},
     study::{
         Examined, FitVariant, Measure, Reference, Sweep, SweepPoint, Verdict,
@@ -26,7 +27,7 @@ pub fn all_figures(verdict: &Verdict) -> String {
         let wanted = Measure::in_files().filter(|measure| measure.is_colour() == of_colour);
         let told = wanted.map(|measure| {
             let figure = measure.figure();
-            format!("{} {}", figure.title, figure.brief(verdict[measure]))
+            format!("{} {}", figure.title(), figure.brief(verdict[measure]))
         });
         told.collect::<Vec<_>>().join(", ")
     };
@@ -44,23 +45,25 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
         return None;
     }
     if derived.colour.delta_e_2000.is_none() {
-        return Some(said!("There is no visible light in this range, so there is no colour."));
+        return Some(said!(
+            "There is no visible light in this range, so there is no colour."
+        ));
     }
     match measure {
-        Measure::Patches | Measure::PatchesWorst if !is_light => {
-            Some(said!("A reflectance lights no surfaces: choose the light as the model's subject."))
-        }
-        Measure::Filters if !is_light => {
-            Some(said!("Narrow filters are put before a light: choose the light as the model's subject."))
-        }
+        Measure::Patches | Measure::PatchesWorst if !is_light => Some(said!(
+            "A reflectance lights no surfaces: choose the light as the model's subject."
+        )),
+        Measure::Filters if !is_light => Some(said!(
+            "Narrow filters are put before a light: choose the light as the model's subject."
+        )),
         Measure::Patches | Measure::PatchesWorst
             if derived.patches.as_ref().is_none_or(|p| p.items.is_empty()) =>
         {
             Some(said!("There are no surfaces to see."))
         }
-        Measure::Filters if !filter_centres().any(|nm| derived.band.contains(nm)) => {
-            Some(said!("No filter's centre (420 to 670 nm) lies in this range."))
-        }
+        Measure::Filters if !filter_centres().any(|nm| derived.band.contains(nm)) => Some(said!(
+            "No filter's centre (420 to 670 nm) lies in this range."
+        )),
         _ => None,
     }
 }
@@ -95,7 +98,7 @@ pub fn verdict_now(app: &App, reference: &Reference) -> Option<Verdict> {
 pub fn origin(about: &About) -> Vec<String> {
     let spectrum = &about.subject.0.spectrum;
     let mut notes = source_of(spectrum);
-        notes.push(by_program(&tr!(
+    notes.push(by_program(&tr!(
         "{from}-{to} nm, {observer}, surfaces {set}.",
         from = short(about.band.min_nm()),
         to = short(about.band.max_nm()),
@@ -125,13 +128,17 @@ impl WaysShown {
 
 /// A way in few letters, for legends and tables.
 pub fn way_name(way: FitVariant) -> String {
-        let basis = way.basis.title();
-    match (way.colour_exact, way.spikes) {
-        (false, false) => basis,
-        (false, true) => tr!("{basis} + lines", basis),
-        (true, false) => tr!("{basis}, exact", basis),
-        (true, true) => tr!("{basis}, exact + lines", basis),
-    }
+    let name = match (way.basis, way.colour_exact, way.spikes) {
+        (Basis::Fourier, false, false) => said!("Fourier"),
+        (Basis::Fourier, false, true) => said!("Fourier + lines"),
+        (Basis::Fourier, true, false) => said!("Fourier, exact"),
+        (Basis::Fourier, true, true) => said!("Fourier, exact + lines"),
+        (Basis::Cosine, false, false) => said!("Cosine"),
+        (Basis::Cosine, false, true) => said!("Cosine + lines"),
+        (Basis::Cosine, true, false) => said!("Cosine, exact"),
+        (Basis::Cosine, true, true) => said!("Cosine, exact + lines"),
+    };
+    name.to_owned()
 }
 
 /// Colours and points of each basis, in the order of [`Basis::ALL`]: plain and colour-exact.
@@ -228,7 +235,7 @@ impl Tradeoff {
             title: tr!(
                 "{subject}: {figure} against numbers",
                 subject = ask.about.subject.0.name(),
-                figure = measure.figure().title
+                figure = measure.figure().title()
             ),
             x_label: said!("Numbers: 2N + 1 for N waves, two for each line").to_owned(),
             y_label: measure.figure().with_unit(),
@@ -279,7 +286,7 @@ pub fn words_now(app: &App) -> String {
     let way = FitVariant::new(settings.basis, spikes > 0, settings.colour_exact);
     format!(
         "{}\n{}, {}: {}",
-        way.title(),
+        said(way.title()),
         waves_words(derived.model.smooth().order()),
         spikes_words(spikes),
         numbers(derived.numbers())
@@ -293,19 +300,19 @@ fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
 
 /// "1 wave", "4 waves".
 pub fn waves_words(order: usize) -> String {
-        tr!("{n} wave" | "{n} waves" % order)
+    tr!("{n} wave" | "{n} waves" % order)
 }
 
 /// "no lines", "1 line", "4 lines".
 pub fn spikes_words(count: usize) -> String {
     match count {
         0 => said!("no lines").to_owned(),
-                _ => tr!("{n} line" | "{n} lines" % count),
+        _ => tr!("{n} line" | "{n} lines" % count),
     }
 }
 
 fn note(point: &SweepPoint) -> String {
-        tr!(
+    tr!(
         "{waves}, {lines}: {numbers}\n{figures}\nClick to take this model.",
         waves = waves_words(point.order),
         lines = spikes_words(point.spikes),
@@ -316,7 +323,7 @@ fn note(point: &SweepPoint) -> String {
 
 /// The front: a bold staircase under everything, and rings over it.
 fn front_series(sweep: &Sweep, measure: Measure, front: &[usize]) -> (Series, Series) {
-        let name = said!("lowest error");
+    let name = said!("lowest error");
     let ink = Ink::Measured;
     let points: Vec<[f64; 2]> = front
         .iter()
@@ -324,7 +331,7 @@ fn front_series(sweep: &Sweep, measure: Measure, front: &[usize]) -> (Series, Se
         .collect();
     let notes = front.iter().map(|i| {
         let point = &sweep.points[*i];
-        format!("{}\n{}", point.way.title(), note(point))
+        format!("{}\n{}", said(point.way.title()), note(point))
     });
     let rings = Series::points(name, ink, Shape::Ring, points.clone()).sized(4.0);
     (
@@ -386,15 +393,15 @@ pub fn needs(
     front: &[usize],
     (measure, limits): (Measure, [f64; 2]),
 ) -> [String; 2] {
-    let of = measure.figure().goal;
+    let of = measure.figure().goal();
     let goal = |limit: f64| match measure.is_colour() {
-                true => format!("ΔE₀₀ {}", short(limit)),
+        true => format!("ΔE₀₀ {}", short(limit)),
         false => format!("{} %", short(limit)),
     };
     let name = ask.about.subject.0.name();
     let [large, small] = limits.map(goal);
     let found = limits.map(|limit| enough(sweep, front, measure, limit));
-        let sentence = match found {
+    let sentence = match found {
         [None, _] => tr!(
             "No model shown here, up to {waves}, stays under {large} {of}.",
             waves = waves_words(sweep.map.highest_order),
@@ -411,8 +418,8 @@ pub fn needs(
             small
         ),
         [Some(first), Some(second)] if first.numbers == second.numbers => tr!(
-            "{name} needs {numbers} to stay under {large} {of}, and stays under {small} with them, \
-             too.",
+            "{name} needs {numbers} to stay under {large} {of}, and stays under {small} with \
+             them, too.",
             name,
             numbers = numbers(first.numbers),
             large,
@@ -439,10 +446,15 @@ pub fn needs(
 
 /// A model within a sentence: "cosine, colour-exact, 4 waves, 3 lines".
 fn way_words(point: &SweepPoint) -> String {
-    let basis = point.way.basis.name();
-        let (waves, lines) = (waves_words(point.order), spikes_words(point.spikes));
+    let basis = said(point.way.basis.name());
+    let (waves, lines) = (waves_words(point.order), spikes_words(point.spikes));
     match point.way.colour_exact {
-        true => tr!("{basis}, colour-exact, {waves}, {lines}", basis, waves, lines),
+        true => tr!(
+            "{basis}, colour-exact, {waves}, {lines}",
+            basis,
+            waves,
+            lines
+        ),
         false => format!("{basis}, {waves}, {lines}"),
     }
 }

@@ -1,7 +1,6 @@
 //! The page "Truth" as charts: what a claim looks like on the spectrum at hand.
 
 use super::coefficients::{CHANNEL_DASHES, FUNCTIONS, NEGLECTED_PERCENT, channel_inks};
-use crate::languages::with_sign;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
@@ -11,6 +10,7 @@ use crate::{
     },
     color::gaussian_cmf,
     io::many::numbers,
+    languages::with_sign,
     study::{
         Measure,
         harmonics::Order,
@@ -112,7 +112,10 @@ pub fn samples_chart(app: &App, claims: &Claims) -> Option<Chart> {
     let highest = heights.map(|p| p[1]).fold(0.0, f64::max);
     Some(Chart {
         y_range: (lowest < highest).then_some([lowest / 5.0, 2.0 * highest]),
-        title: tr!("Samples against {numbers}", numbers = numbers(found.numbers())),
+        title: tr!(
+            "Samples against {numbers}",
+            numbers = numbers(found.numbers())
+        ),
         x_label: said!("Samples, joined by straight lines").to_owned(),
         y_label: said!("ΔE₀₀, or %").to_owned(),
         x_range: [first, last.max(first + 1.0)],

@@ -3,7 +3,7 @@
 
 use super::{Part, Verb, said};
 use crate::{
-        app::{Entry, readings::Reading, ticks::short},
+    app::{Entry, readings::Reading, ticks::short},
     measurements::{Kernel, Measurement, Quantity, Slit, normal, smoothed},
     spectrum::{Outside, Sampled},
 };
@@ -119,7 +119,7 @@ pub fn example(verb: Verb, of: &Drawn<'_>) -> Result<[Vec<Part>; 2], String> {
     let behind = tr!("{name} behind {filter}", name, filter);
     let mut set = |warmer: f64| -> Result<Vec<Part>, String> {
         let value = |nm: f64| glow(nm) * (1.0 - warmer * (780.0 - nm) / 400.0);
-                let scan_name = |number: usize| match warmer > 0.0 {
+        let scan_name = |number: usize| match warmer > 0.0 {
             true => tr!("{name}, later {number}", name, number),
             false => tr!("{name}, scan {number}", name, number),
         };
@@ -162,7 +162,11 @@ pub fn example(verb: Verb, of: &Drawn<'_>) -> Result<[Vec<Part>; 2], String> {
         Verb::Unslit => {
             let seen = Measurement::new(name, Quantity::Light, "", light.clone());
             let seen = smoothed(&seen, SLIT).map_err(said)?.samples;
-                        let name = tr!("{name} through {width} nm", name, width = short(SLIT.fwhm_nm));
+            let name = tr!(
+                "{name} through {width} nm",
+                name,
+                width = short(SLIT.fwhm_nm)
+            );
             vec![reader.scan(&name, |nm| TOP * seen.at(nm, Outside::Hold))?]
         }
     };
@@ -177,7 +181,7 @@ fn at_peak(entry: &Entry) -> Result<Sampled, String> {
         .collect();
     let top = values.iter().copied().fold(0.0, f64::max);
     if top <= 0.0 {
-                return Err(tr!(
+        return Err(tr!(
             "{light} does not shine from 380 to 780 nm.",
             light = entry.name()
         ));

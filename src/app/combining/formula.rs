@@ -44,7 +44,7 @@ pub(super) fn of_formula(
     };
     let mut found = combine(formula, &inputs, settings).map_err(said)?;
     if has_lines && found.kept < 0.25 {
-                found.notes.push(tr!(
+        found.notes.push(tr!(
             "The reference is almost dark between its lines: T is told at {count} lines only.",
             count = found.points.len()
         ));
@@ -96,7 +96,7 @@ pub(super) fn at_equal(parts: &[Part], by: Option<Normalise>) -> Result<Vec<Part
 /// Words of a reference or a sample that a quotient is of a surface for.
 const OF_SURFACES: [&str; 6] = [
     "reflect",
-        "white standard",
+    "white standard",
     "white reference",
     "white tile",
     "spectralon",
@@ -159,9 +159,13 @@ pub(super) fn of_ranges(parts: &[Measurement], is_sound: bool) -> Result<Found, 
         return Err(said!("expected 2 ranges of one light").to_owned());
     };
     let spliced = splice(first, second, is_sound).map_err(said)?;
-    let made_by = tr!("splice of {first} and {second}", first = first.name, second = second.name);
+    let made_by = tr!(
+        "splice of {first} and {second}",
+        first = first.name,
+        second = second.name
+    );
     let half = 1.96 * spliced.u * spliced.factor;
-        let [from, to] = spliced.overlap_nm.map(|nm| with_sign(nm.to_string()));
+    let [from, to] = spliced.overlap_nm.map(|nm| with_sign(nm.to_string()));
     let note = tr!(
         "From {from} to {to} nm both are there: the second is multiplied by {factor}.",
         from,

@@ -1,6 +1,5 @@
 //! An instrument's response: learnt from a known light, and taken off a reading.
 
-use crate::languages::{fixed, signed, with_sign};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -10,6 +9,7 @@ use super::{
 };
 use crate::{
     app::{instruments, today},
+    languages::{fixed, signed, with_sign},
     measurements::{
         Formula, Instrument, Kernel, Known, Measurement, Options, Quantity, axis_of, combine,
         learn, slit_of,
@@ -30,7 +30,7 @@ pub struct KeptInstrument {
 impl KeptInstrument {
     pub fn of(instrument: &Instrument) -> Self {
         let axis = instrument.axis.as_ref();
-                let axis = axis.map(|axis| {
+        let axis = axis.map(|axis| {
             tr!(
                 "axis {shift} nm at 550 nm",
                 shift = signed(axis.at_550_nm, 1)
@@ -38,7 +38,7 @@ impl KeptInstrument {
         });
         let slit = instrument
             .slit
-                        .map(|slit| tr!("slit {width} nm", width = fixed(slit.fwhm_nm, 1)));
+            .map(|slit| tr!("slit {width} nm", width = fixed(slit.fwhm_nm, 1)));
         let known = tr!("by {known}", known = instrument.known);
         let about = [Some(known), Some(instrument.date.clone()), axis, slit];
         let about: Vec<String> = about.into_iter().flatten().collect();
@@ -100,7 +100,7 @@ pub fn learnt(
     instrument.name = name.unwrap_or_else(|| reading.name.clone());
     instrument.date = today();
     instrument.known = match doubt > 0.0 {
-                true => format!("{words} \u{b1} {} K", with_sign(doubt.to_string())),
+        true => format!("{words} \u{b1} {} K", with_sign(doubt.to_string())),
         false => words.to_owned(),
     };
     instrument.slit = slit_of(&reading, Kernel::Gauss)
@@ -110,8 +110,9 @@ pub fn learnt(
     let mut found = Found::of(instrument.factor.clone(), made_by, doubt_from(parts));
     found.notes.extend(stretches(&instrument.factor));
     if let Some(axis) = &instrument.axis {
-                found.notes.push(tr!(
-            "The axis is read {shift} nm from its place at 550 nm, by {lines} lines; it is put right.",
+        found.notes.push(tr!(
+            "The axis is read {shift} nm from its place at 550 nm, by {lines} lines; it is put \
+             right.",
             shift = signed(axis.at_550_nm, 2),
             lines = axis.features.len()
         ));
@@ -133,13 +134,13 @@ pub(super) fn used(instrument: Instrument, parts: &[Measurement]) -> Result<Foun
     let from = doubt_from(parts);
     let reading = without_dark(parts)?;
     if !matches!(reading.quantity, Quantity::Counts | Quantity::Light) {
-                return Err(tr!(
+        return Err(tr!(
             "INPUT: found {quantity}, expected a reading in counts",
             quantity = reading.quantity
         ));
     }
     let light = instrument.corrected(&reading).map_err(said)?;
-        let made_by = tr!(
+    let made_by = tr!(
         "{reading} by the instrument {instrument}",
         reading = reading.name,
         instrument = instrument.name
@@ -156,7 +157,7 @@ pub(super) fn used(instrument: Instrument, parts: &[Measurement]) -> Result<Foun
 fn stretches(of: &Measurement) -> Vec<String> {
     let all = of.masked().into_iter().take(6);
     all.map(|m| {
-                tr!(
+        tr!(
             "{why} from {from} to {to} nm: nothing is told there.",
             why = m.why,
             from = fixed(m.from_nm, 0),

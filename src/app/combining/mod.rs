@@ -48,7 +48,7 @@ impl Act {
                 let mut found = formula::of_formula(&formula, text, &parts, *keep_all)?;
                 formula::name_quotient(&mut found, &formula, &parts, *of_surface);
                 if let Some(equal) = equal {
-                                        found.notes.push(match equal {
+                    found.notes.push(match equal {
                         Normalise::Peak => {
                             said!("Lights are brought to equal peak first.").to_owned()
                         }
@@ -97,7 +97,7 @@ impl Act {
                 };
                 text.chars().map(letter).collect()
             }
-                        Self::Mean { .. } => tr!(
+            Self::Mean { .. } => tr!(
                 "{name}, mean of {count}",
                 name = name(0),
                 count = parts.len()

@@ -9,7 +9,7 @@ use crate::{
         measured::{is_light, spectrum},
         readings::Reading,
     },
-        languages::with_sign,
+    languages::with_sign,
     measurements::{
         Changed, Doubted, Drift, Instrument, LinePoint, LineWithDoubt, Measurement, NarrowLine,
         Quantity, SlitFound, Spliced, doubts, lines_of, missing_light,

@@ -1,6 +1,5 @@
 //! Scans of one light: their mean, those that do not belong, what differs between two sets.
 
-use crate::languages::signed;
 use super::{
     parts::{doubt_from, with_noise},
     result::{Found, LineRow, ScanRow},
@@ -9,6 +8,7 @@ use super::{
 };
 use crate::{
     app::readings::names_of_lines,
+    languages::signed,
     measurements::{
         ChangeError, Changed, Feature, Measurement, Misfit, Repeats, RepeatsError, changed, drift,
         has_memory, lines_of_scans, mean_of, misfits,
@@ -54,7 +54,7 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, S
     let drift = drift(&repeats.levels);
     if let Some(drift) = drift.filter(|drift| drift.is_there()) {
         let percent = 100.0 * drift.per_scan;
-                notes.push(tr!(
+        notes.push(tr!(
             "The level changes by {share} % from scan to scan.",
             share = signed(percent, 2)
         ));
@@ -88,11 +88,16 @@ impl Belonging {
         let (mut odd, is_open) = misfits(parts).map_err(said)?;
         if is_open && !keep_all {
             return Err(match parts.len() {
-                3 => said!("Two of three scans differ from the third and each other: which is wrong \
-                      cannot be said.")
-                    .to_owned(),
-                n => tr!("More than half of {n} scans differ from the others and each other: which is \
-                     wrong cannot be said.", n),
+                3 => said!(
+                    "Two of three scans differ from the third and each other: which is wrong \
+                     cannot be said."
+                )
+                .to_owned(),
+                n => tr!(
+                    "More than half of {n} scans differ from the others and each other: which is \
+                     wrong cannot be said.",
+                    n
+                ),
             });
         }
         let drops = !keep_all && parts.len() - odd.len() >= LEAST_SCANS;
@@ -100,7 +105,7 @@ impl Belonging {
         let is_out = |scan: usize| drops && odd.iter().any(|m| m.scan == scan);
         let kept = (0..parts.len()).filter(|scan| !is_out(*scan));
         let kept = kept.map(|scan| parts[scan].clone()).collect();
-                let note = |Misfit { scan, why }: &Misfit| {
+        let note = |Misfit { scan, why }: &Misfit| {
             let name = &parts[*scan].name;
             match drops {
                 true => tr!(
@@ -155,9 +160,9 @@ fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, String> {
     }
     if parts[0].sigma.is_none() && has_memory(&parts[0].samples) {
         found.notes.push(
-                        said!(
-                "Neighbours share their noise, which one scan does not tell: \u{b1} is at least as \
-                 told."
+            said!(
+                "Neighbours share their noise, which one scan does not tell: \u{b1} is at least \
+                 as told."
             )
             .to_owned(),
         );

@@ -1,12 +1,12 @@
 //! A slit put on, and one taken off.
 
-use crate::languages::{fixed, signed, with_sign};
 use super::{
     parts::{doubt_from, with_noise},
     result::{Found, LineRow},
     said,
 };
 use crate::{
+    languages::{fixed, signed, with_sign},
     measurements::{
         Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed,
         unslit,
@@ -27,7 +27,7 @@ pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Stri
     let from = doubt_from(&parts);
     let part = the_one(parts)?;
     let seen = smoothed(&part, slit).map_err(said)?;
-        let made_by = tr!(
+    let made_by = tr!(
         "{name} through {width} nm ({shape})",
         name = part.name,
         width = with_sign(slit.fwhm_nm.to_string()),
@@ -62,12 +62,16 @@ pub(super) fn taken_off(
         part.sigma = noise_behind(&part.samples, slit.slit);
     }
     let made = unslit(&part, slit.slit).map_err(said)?;
-        let (width, shape) = (fixed(slit.slit.fwhm_nm, 2), slit.slit.shape.word());
+    let (width, shape) = (fixed(slit.slit.fwhm_nm, 2), slit.slit.shape.word());
     let width = match slit.is_sure {
         true => format!("{width} nm ({shape})"),
         false => tr!("about {width} nm ({shape})", width, shape),
     };
-    let made_by = tr!("{name} without its slit of {width}", name = part.name, width);
+    let made_by = tr!(
+        "{name} without its slit of {width}",
+        name = part.name,
+        width
+    );
     let mut found = Found::of(made.result, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
     if !made.is_made {
@@ -75,22 +79,24 @@ pub(super) fn taken_off(
         found.notes.push(why.to_owned());
     }
     if !slit.lines.is_empty() && slit.u > 0.0 {
-                found.notes.push(tr!(
-            "The slit is {width}, told by {lines} lines; they are read {shift} nm from their places.",
+        found.notes.push(tr!(
+            "The slit is {width}, told by {lines} lines; they are read {shift} nm from their \
+             places.",
             width,
             lines = slit.lines.len(),
             shift = signed(slit.shift_nm, 2)
         ));
     }
     if !slit.is_sure && slit.lines.is_empty() {
-                found.notes.push(tr!(
+        found.notes.push(tr!(
             "The slit is {width}, told by oxygen's band of daylight at 763 nm.",
             width
         ));
     }
     if made.is_made && !made.lines.is_empty() {
-                found.notes.push(tr!(
-            "{lines} lines are drawn 2 nm wide: each is a line, or a band narrower than {width} nm.",
+        found.notes.push(tr!(
+            "{lines} lines are drawn 2 nm wide: each is a line, or a band narrower than {width} \
+             nm.",
             lines = made.lines.len(),
             width = fixed((0.5 * slit.slit.fwhm_nm).max(1.0), 0)
         ));

@@ -9,7 +9,7 @@ use crate::{
         cells::{Columns, Table, cell, column},
         readings::names_of_lines,
     },
-        languages,
+    languages,
     measurements::{Doubted, Part},
 };
 
@@ -63,7 +63,10 @@ fn of_parts(parts: &[(&String, &Part)]) -> Table {
     type Row<'a> = &'a (&'a String, &'a Part);
     let columns = Columns::<Row<'_>>::default()
         .with("part", |(name, _): &Row<'_>| cell(name.as_str()))
-        .titled(said!("part"), said!("A line by its name, or what lies below the lines."))
+        .titled(
+            said!("part"),
+            said!("A line by its name, or what lies below the lines."),
+        )
         .with("change", |(_, part)| {
             cell(part.change).shown(change_words(part))
         })
@@ -97,7 +100,7 @@ fn of_lines(found: &Found) -> Table {
     };
     let columns = Columns::<Row<'_>>::default()
         .with("line", |(name, line): &Row<'_>| {
-                        let shown = name.as_deref().unwrap_or("");
+            let shown = name.as_deref().unwrap_or("");
             cell(name.as_deref()).shown(match line.is_certain {
                 true => shown.to_owned(),
                 false => tr!("{name} (uncertain)", name = shown),
@@ -108,10 +111,15 @@ fn of_lines(found: &Found) -> Table {
         .titled("nm", languages::said(HALF_WIDTH))
         .and(halves("at_nm_half_width_95", 0))
         .and(told("weight", 1, |line| line.weight))
-        .titled(said!("weight"), said!("Its power, or of a quotient the quotient there."))
+        .titled(
+            said!("weight"),
+            said!("Its power, or of a quotient the quotient there."),
+        )
         .and(halves("weight_half_width_95", 1))
         .with("share", |(_, line)| {
-            let shown = line.share.map(|share| format!("{} %", languages::fixed(100.0 * share, 1)));
+            let shown = line
+                .share
+                .map(|share| format!("{} %", languages::fixed(100.0 * share, 1)));
             cell(line.share).shown(shown.unwrap_or_default())
         })
         .titled(said!("share"), said!("Its share of the power."));
@@ -129,7 +137,10 @@ fn of_scans(scans: &[ScanRow]) -> Table {
                 _ => scan_words(scan),
             })
         })
-        .titled(said!("beside the mean"), said!("Its level and its wavelengths."))
+        .titled(
+            said!("beside the mean"),
+            said!("Its level and its wavelengths."),
+        )
         .with("shift_nm", |scan| cell(scan.shift_nm))
         .with("kept", |scan| cell(scan.is_kept));
     Table::new("", columns, scans)

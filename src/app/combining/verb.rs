@@ -33,8 +33,14 @@ const fn slot(name: &'static str, meaning: &'static str) -> Slot {
 }
 
 const LIGHT: Slot = slot(later!("Light A"), later!("The light that is looked at."));
-const SAMPLE: Slot = slot(later!("Sample A"), later!("The light behind the sample, or off it."));
-const REFERENCE: Slot = slot(later!("Reference B"), later!("The same light without the sample."));
+const SAMPLE: Slot = slot(
+    later!("Sample A"),
+    later!("The light behind the sample, or off it."),
+);
+const REFERENCE: Slot = slot(
+    later!("Reference B"),
+    later!("The same light without the sample."),
+);
 
 impl Verb {
     /// Every verb, in the order offered.
@@ -74,13 +80,17 @@ impl Verb {
     /// What it is for, a sentence.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Mean => said!("Scans of one light: three or more tell how well every figure is known."),
+            Self::Mean => {
+                said!("Scans of one light: three or more tell how well every figure is known.")
+            }
             Self::Difference => said!("A light less its dark, or less a background."),
             Self::Sum => said!("Two lights at once."),
             Self::Quotient => {
                 said!("A sample over its reference: the share that is let through or sent back.")
             }
-            Self::QuotientLessDark => said!("The same for counts, the instrument's dark taken off both."),
+            Self::QuotientLessDark => {
+                said!("The same for counts, the instrument's dark taken off both.")
+            }
             Self::Absorbance => said!("The decadic absorbance of a sample over its reference."),
             Self::Splice => said!("Two ranges of one light that share 20 nm or more."),
             Self::Slit => said!("A light as an instrument of a wider slit sees it."),
@@ -88,7 +98,9 @@ impl Verb {
             Self::Corrected => {
                 said!("A reading in counts as a light: the instrument's response taken off.")
             }
-            Self::Learnt => said!("An instrument's response, by its reading of a light that is known."),
+            Self::Learnt => {
+                said!("An instrument's response, by its reading of a light that is known.")
+            }
             Self::Changed => {
                 said!("The differences between two sets of scans that are beyond their noise.")
             }
@@ -100,18 +112,35 @@ impl Verb {
         match self {
             Self::Mean | Self::Changed => &[],
             Self::Difference => {
-                const DARK: Slot = slot(later!("Dark B"), later!("The dark or the background that is taken off."));
+                const DARK: Slot = slot(
+                    later!("Dark B"),
+                    later!("The dark or the background that is taken off."),
+                );
                 &const { [LIGHT, DARK] }
             }
-            Self::Sum => &const { [LIGHT, slot(later!("Light B"), later!("The light that is added."))] },
+            Self::Sum => {
+                &const {
+                    [
+                        LIGHT,
+                        slot(later!("Light B"), later!("The light that is added.")),
+                    ]
+                }
+            }
             Self::Quotient | Self::Absorbance => &const { [SAMPLE, REFERENCE] },
             Self::QuotientLessDark => {
-                const DARK: Slot = slot(later!("Dark C"), later!("What the instrument counts without light."));
+                const DARK: Slot = slot(
+                    later!("Dark C"),
+                    later!("What the instrument counts without light."),
+                );
                 &const { [SAMPLE, REFERENCE, DARK] }
             }
             Self::Splice => {
-                const FIRST: Slot = slot(later!("Range A"), later!("The range that keeps its level."));
-                const SECOND: Slot = slot(later!("Range B"), later!("It is brought to the level of A."));
+                const FIRST: Slot =
+                    slot(later!("Range A"), later!("The range that keeps its level."));
+                const SECOND: Slot = slot(
+                    later!("Range B"),
+                    later!("It is brought to the level of A."),
+                );
                 &const { [FIRST, SECOND] }
             }
             Self::Slit | Self::Unslit => &const { [LIGHT] },

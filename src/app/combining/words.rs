@@ -1,12 +1,12 @@
 //! The result of a combination in words.
 
-use crate::languages::{fixed, signed, with_sign};
 use std::fmt::Write as _;
 
 use super::result::{Found, LineRow, ScanRow};
 use crate::{
-        app::ticks::short,
+    app::ticks::short,
     io::many::capitalised,
+    languages::{fixed, signed, with_sign},
     measurements::{Changed, Doubt, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
 };
 
@@ -76,7 +76,7 @@ pub fn doubt_words(found: &Found, result: &Measurement) -> String {
         }
         let has_doubt = |d: &Doubted| d.doubt.is_some_and(|doubt| doubt.half_width_95 > 0.0);
         if all.iter().any(has_doubt) && result.level == 0.0 && result.axis_nm == 0.0 {
-                        let _ = writeln!(text, "Note      {NOISE_ONLY}");
+            let _ = writeln!(text, "Note      {NOISE_ONLY}");
         }
     }
     for line in found.lines.iter().take(MOST_LINES) {
@@ -88,7 +88,7 @@ pub fn doubt_words(found: &Found, result: &Measurement) -> String {
 /// `level +0.31 %, moved -0.012 nm`.
 pub fn scan_words(scan: &ScanRow) -> String {
     let (level, shift) = (100.0 * scan.level, scan.shift_nm);
-        tr!(
+    tr!(
         "level {level} %, moved {shift} nm",
         level = signed(level, 2),
         shift = signed(shift, 3)
@@ -100,7 +100,7 @@ pub fn with_half(value: f64, half: Option<f64>) -> String {
     match half {
         Some(half) if half > 0.0 => {
             let (value, half) = rounded(value, half);
-                        with_sign(format!("{value} \u{b1} {half}"))
+            with_sign(format!("{value} \u{b1} {half}"))
         }
         _ => short(value),
     }
@@ -109,17 +109,15 @@ pub fn with_half(value: f64, half: Option<f64>) -> String {
 /// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
 pub fn line_words(line: &LineRow) -> String {
     let with = |value: f64, u: Option<f64>| with_half(value, u.map(|u| 1.96 * u));
-        let weight = line.weight.map_or_else(
+    let weight = line.weight.map_or_else(
         || said!("its top is cut").to_owned(),
         |w| with(w, line.u[1]),
     );
     let mut words = vec![format!("{} nm", with(line.at_nm, line.u[0])), weight];
-    words.extend(line.share.map(|share| {
-        tr!(
-            "{share} % of the power",
-            share = fixed(100.0 * share, 1)
-        )
-    }));
+    words.extend(
+        line.share
+            .map(|share| tr!("{share} % of the power", share = fixed(100.0 * share, 1))),
+    );
     words.extend((!line.is_certain).then(|| said!("uncertain").to_owned()));
     words.join(", ")
 }
@@ -159,11 +157,15 @@ pub fn headline(found: &Found) -> String {
     let kept = result.kept_values().iter().flatten().count();
     let share = 100 * kept / result.samples.len().max(1);
     let quantity = result.quantity.to_string();
-        let quantity = capitalised(&quantity);
+    let quantity = capitalised(&quantity);
     let what = match (found.scans.len(), kept == result.samples.len()) {
         (0, true) => quantity,
-        (0, false) => tr!("{quantity}, told over {share} % of its samples", quantity, share),
-                (all, _) => {
+        (0, false) => tr!(
+            "{quantity}, told over {share} % of its samples",
+            quantity,
+            share
+        ),
+        (all, _) => {
             let used = found.scans.iter().filter(|scan| scan.is_kept).count();
             match used == all {
                 true => tr!("The mean of {all} scans", all),
@@ -200,7 +202,7 @@ pub fn change_words(part: &Part) -> String {
     };
     let (change, u) = rounded(by * part.change, 1.96 * by * part.u);
     let sign = if part.change > 0.0 { "+" } else { "" };
-        with_sign(format!("{sign}{change} \u{b1} {u}{unit}"))
+    with_sign(format!("{sign}{change} \u{b1} {u}{unit}"))
 }
 
 /// What differs, in a sentence.
@@ -208,18 +210,19 @@ pub(super) fn sentence(changed: &Changed, names: &[String]) -> String {
     let amount = |(part, name): (&Part, &String)| format!("{name} {}", change_words(part));
     let parts: Vec<String> = changed.parts.iter().zip(names).map(amount).collect();
     match changed.verdict {
-                Verdict::Different => tr!("Different: {changes}.", changes = parts.join(", ")),
+        Verdict::Different => tr!("Different: {changes}.", changes = parts.join(", ")),
         Verdict::Same => {
             let least = fixed(changed.least_seen_percent, 1);
             match parts.first() {
                 Some(level) => tr!(
-                    "Same ({level}): no difference beyond the noise (a line would have to change by \
-                     {least} %).",
+                    "Same ({level}): no difference beyond the noise (a line would have to change \
+                     by {least} %).",
                     level,
                     least
                 ),
                 None => tr!(
-                    "Same: no difference beyond the noise (a line would have to change by {least} %).",
+                    "Same: no difference beyond the noise (a line would have to change by {least} \
+                     %).",
                     least
                 ),
             }

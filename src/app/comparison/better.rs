@@ -77,8 +77,12 @@ fn told(
         found => found,
     };
     let [a, b] = &shown;
+    let figure = match purpose.figure {
+        "" => "",
+        figure => said(figure),
+    };
     let named = |figures: String| {
-        let words = [said(purpose.figure), &figures, purpose.unit];
+        let words = [figure, &figures, purpose.unit];
         let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
         format!("({})", words.join(" "))
     };
@@ -114,7 +118,7 @@ fn told(
         Found::TooLow { least } => {
             let why = tr!(
                 "{figure} is below {least} in both lights {both}",
-                figure = said(purpose.figure),
+                figure,
                 least = short(least),
                 both
             );

@@ -131,9 +131,11 @@ fn notes(sides: &[Side; 2], shared: Option<Band>) -> Vec<String> {
         notes.extend(of_side.map(|note| format!("{}: {note}.", side.name)));
     }
     notes.push(
-        said!("A spectrum does not tell how much power a lamp takes from the mains, whether it flickers \
-         or what it costs.")
-            .to_owned(),
+        said!(
+            "A spectrum does not tell how much power a lamp takes from the mains, whether it \
+             flickers or what it costs."
+        )
+        .to_owned(),
     );
     notes
 }

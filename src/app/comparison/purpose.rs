@@ -79,7 +79,9 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "Rf",
         unit: "",
         digits: 0,
-        why: later!("Rf is the mean over 99 surfaces, each light beside its own reference (TM-30)."),
+        why: later!(
+            "Rf is the mean over 99 surfaces, each light beside its own reference (TM-30)."
+        ),
         of: Side::rf,
         rule: Rule::Points {
             same: 3.0,
@@ -96,7 +98,9 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "R13",
         unit: "",
         digits: 0,
-        why: later!("R13 tells how far a light skin shifts from its colour under the reference (CIE 13.3)."),
+        why: later!(
+            "R13 tells how far a light skin shifts from its colour under the reference (CIE 13.3)."
+        ),
         of: Side::r13,
         rule: OF_SAMPLE,
         topic: later!("light skin"),
@@ -109,7 +113,9 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "R9",
         unit: "",
         digits: 0,
-        why: later!("R9 tells how far a strong red shifts from its colour under the reference (CIE 13.3)."),
+        why: later!(
+            "R9 tells how far a strong red shifts from its colour under the reference (CIE 13.3)."
+        ),
         of: Side::r9,
         rule: OF_SAMPLE,
         topic: later!("strong reds"),
@@ -138,8 +144,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: MELANOPIC,
         unit: "",
         digits: 2,
-        why: later!("Melanopic light keeps people awake; Brown et al. (2022) advise at most 10 lx of it \
-              before bed."),
+        why: later!(
+            "Melanopic light keeps people awake; Brown et al. (2022) advise at most 10 lx of it \
+             before bed."
+        ),
         of: Side::melanopic,
         rule: Rule::Ratio {
             same: 1.1,
@@ -156,8 +164,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: MELANOPIC,
         unit: "",
         digits: 2,
-        why: later!("Melanopic light keeps people awake; Brown et al. (2022) advise at least 250 lx of it \
-              by day."),
+        why: later!(
+            "Melanopic light keeps people awake; Brown et al. (2022) advise at least 250 lx of it \
+             by day."
+        ),
         of: Side::melanopic,
         rule: Rule::Ratio {
             same: 1.1,
@@ -174,8 +184,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: later!("S/P ratio"),
         unit: "",
         digits: 2,
-        why: later!("Eyes that are used to the dark see by their rods, and the S/P ratio counts light as \
-              rods do."),
+        why: later!(
+            "Eyes that are used to the dark see by their rods, and the S/P ratio counts light as \
+             rods do."
+        ),
         of: Side::sp_ratio,
         rule: Rule::Ratio {
             same: 1.1,
@@ -192,8 +204,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "",
         unit: "lm/W",
         digits: 0,
-        why: later!("Luminous efficacy of radiation is the light in a watt that leaves the lamp, not in a \
-              watt that it takes from the mains."),
+        why: later!(
+            "Luminous efficacy of radiation is the light in a watt that leaves the lamp, not in a \
+             watt that it takes from the mains."
+        ),
         of: Side::efficacy,
         rule: Rule::Ratio {
             same: 1.03,
@@ -210,8 +224,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "",
         unit: "µmol/J",
         digits: 2,
-        why: later!("Photons of 400-700 nm drive photosynthesis; they are counted in each joule of \
-              radiation."),
+        why: later!(
+            "Photons of 400-700 nm drive photosynthesis; they are counted in each joule of \
+             radiation."
+        ),
         of: Side::photon_efficacy,
         rule: Rule::Ratio {
             same: 1.03,
@@ -228,8 +244,10 @@ pub const PURPOSES: [Purpose; 10] = [
         figure: "SSI",
         unit: "",
         digits: 0,
-        why: later!("SSI tells how like its reference a light is to any camera (SMPTE ST 2122); a low \
-              value promises nothing."),
+        why: later!(
+            "SSI tells how like its reference a light is to any camera (SMPTE ST 2122); a low \
+             value promises nothing."
+        ),
         of: Side::ssi,
         rule: Rule::Points {
             same: 5.0,
@@ -260,10 +278,7 @@ pub(super) struct Predicate {
 }
 
 impl Predicate {
-    pub(super) fn new(
-        verb: &'static str,
-        [whole, again]: [impl Into<String>; 2],
-    ) -> Self {
+    pub(super) fn new(verb: &'static str, [whole, again]: [impl Into<String>; 2]) -> Self {
         Self {
             verb,
             whole: whole.into(),
@@ -293,7 +308,10 @@ impl Win {
 
 fn colours_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("shows colours much better"), said!("colours much better")],
+        true => [
+            said!("shows colours much better"),
+            said!("colours much better"),
+        ],
         false => [said!("shows colours better"), said!("colours better")],
     };
     Predicate::new("shows", words)
@@ -301,7 +319,10 @@ fn colours_wins(win: Win) -> Predicate {
 
 fn skin_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("shows light skin much better"), said!("light skin much better")],
+        true => [
+            said!("shows light skin much better"),
+            said!("light skin much better"),
+        ],
         false => [said!("shows light skin better"), said!("light skin better")],
     };
     Predicate::new("shows", words)
@@ -309,31 +330,52 @@ fn skin_wins(win: Win) -> Predicate {
 
 fn reds_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("shows strong reds much better"), said!("strong reds much better")],
-        false => [said!("shows strong reds better"), said!("strong reds better")],
+        true => [
+            said!("shows strong reds much better"),
+            said!("strong reds much better"),
+        ],
+        false => [
+            said!("shows strong reds better"),
+            said!("strong reds better"),
+        ],
     };
     Predicate::new("shows", words)
 }
 
 fn evening_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("suits the evening much better at the same lux"), said!("the evening much better at the same lux")],
-        false => [said!("suits the evening better at the same lux"), said!("the evening better at the same lux")],
+        true => [
+            said!("suits the evening much better at the same lux"),
+            said!("the evening much better at the same lux"),
+        ],
+        false => [
+            said!("suits the evening better at the same lux"),
+            said!("the evening better at the same lux"),
+        ],
     };
     Predicate::new("suits", words)
 }
 
 fn day_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("suits the day much better at the same lux"), said!("the day much better at the same lux")],
-        false => [said!("suits the day better at the same lux"), said!("the day better at the same lux")],
+        true => [
+            said!("suits the day much better at the same lux"),
+            said!("the day much better at the same lux"),
+        ],
+        false => [
+            said!("suits the day better at the same lux"),
+            said!("the day better at the same lux"),
+        ],
     };
     Predicate::new("suits", words)
 }
 
 fn cameras_wins(win: Win) -> Predicate {
     let words = match win.is_much {
-        true => [said!("serves cameras much better"), said!("cameras much better")],
+        true => [
+            said!("serves cameras much better"),
+            said!("cameras much better"),
+        ],
         false => [said!("serves cameras better"), said!("cameras better")],
     };
     Predicate::new("serves", words)
@@ -342,12 +384,24 @@ fn cameras_wins(win: Win) -> Predicate {
 fn night_wins(win: Win) -> Predicate {
     let words = match win.more() {
         More::Share(share) => [
-            tr!("gives eyes that are used to the dark {share} % more light at the same lux", share),
-            tr!("eyes that are used to the dark {share} % more light at the same lux", share),
+            tr!(
+                "gives eyes that are used to the dark {share} % more light at the same lux",
+                share
+            ),
+            tr!(
+                "eyes that are used to the dark {share} % more light at the same lux",
+                share
+            ),
         ],
         More::Times(times) => [
-            tr!("gives eyes that are used to the dark {times} times the light at the same lux", times),
-            tr!("eyes that are used to the dark {times} times the light at the same lux", times),
+            tr!(
+                "gives eyes that are used to the dark {times} times the light at the same lux",
+                times
+            ),
+            tr!(
+                "eyes that are used to the dark {times} times the light at the same lux",
+                times
+            ),
         ],
         More::Far => [
             said!("gives eyes that are used to the dark far more light at the same lux").to_owned(),
@@ -378,12 +432,21 @@ fn energy_wins(win: Win) -> Predicate {
 fn plants_wins(win: Win) -> Predicate {
     let words = match win.more() {
         More::Share(share) => [
-            tr!("gives plants {share} % more photons per watt of radiation", share),
+            tr!(
+                "gives plants {share} % more photons per watt of radiation",
+                share
+            ),
             tr!("plants {share} % more photons per watt of radiation", share),
         ],
         More::Times(times) => [
-            tr!("gives plants {times} times the photons per watt of radiation", times),
-            tr!("plants {times} times the photons per watt of radiation", times),
+            tr!(
+                "gives plants {times} times the photons per watt of radiation",
+                times
+            ),
+            tr!(
+                "plants {times} times the photons per watt of radiation",
+                times
+            ),
         ],
         More::Far => [
             said!("gives plants far more photons per watt of radiation").to_owned(),
@@ -399,35 +462,59 @@ fn reading_wins(_: Win) -> Predicate {
 }
 
 fn colours_same(figures: &str) -> String {
-    tr!("Both shift colours by about the same amount {figures}.", figures)
+    tr!(
+        "Both shift colours by about the same amount {figures}.",
+        figures
+    )
 }
 
 fn skin_same(figures: &str) -> String {
-    tr!("Both shift light skin by about the same amount {figures}.", figures)
+    tr!(
+        "Both shift light skin by about the same amount {figures}.",
+        figures
+    )
 }
 
 fn reds_same(figures: &str) -> String {
-    tr!("Both shift strong reds by about the same amount {figures}.", figures)
+    tr!(
+        "Both shift strong reds by about the same amount {figures}.",
+        figures
+    )
 }
 
 fn evening_same(figures: &str) -> String {
-    tr!("Both suit the evening about equally well at the same lux {figures}.", figures)
+    tr!(
+        "Both suit the evening about equally well at the same lux {figures}.",
+        figures
+    )
 }
 
 fn day_same(figures: &str) -> String {
-    tr!("Both suit the day about equally well at the same lux {figures}.", figures)
+    tr!(
+        "Both suit the day about equally well at the same lux {figures}.",
+        figures
+    )
 }
 
 fn night_same(figures: &str) -> String {
-    tr!("Both give eyes that are used to the dark about the same light at the same lux {figures}.", figures)
+    tr!(
+        "Both give eyes that are used to the dark about the same light at the same lux {figures}.",
+        figures
+    )
 }
 
 fn energy_same(figures: &str) -> String {
-    tr!("Both give about the same light per watt of radiation {figures}.", figures)
+    tr!(
+        "Both give about the same light per watt of radiation {figures}.",
+        figures
+    )
 }
 
 fn plants_same(figures: &str) -> String {
-    tr!("Both give plants about the same photons per watt of radiation {figures}.", figures)
+    tr!(
+        "Both give plants about the same photons per watt of radiation {figures}.",
+        figures
+    )
 }
 
 fn cameras_same(figures: &str) -> String {
@@ -455,8 +542,7 @@ pub(super) fn reading_both(figures: &str, reach: bool) -> String {
 
 /// What is said of the light that comes nearer to what reading asks for.
 pub(super) fn reading_nearer() -> Predicate {
-    let words = said!(
-        "comes nearer to the Ra of 80 that EN 12464-1 asks for at desks, but misses it"
-    );
+    let words =
+        said!("comes nearer to the Ra of 80 that EN 12464-1 asks for at desks, but misses it");
     Predicate::new("comes nearer", [words, words])
 }

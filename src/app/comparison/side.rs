@@ -1,6 +1,5 @@
 //! One of two lights that are compared, and the figures that are compared.
 
-use crate::languages::fixed;
 use crate::{
     app::{
         quality_report::light_of,
@@ -9,6 +8,7 @@ use crate::{
     color::quality::{
         Figures, Light, NoFigure, Rendering, SP_RATIO, luminous_efficacy, photons_per_100_lx,
     },
+    languages::fixed,
     spectrum::{Band, NamedSpectrum},
 };
 
@@ -143,8 +143,8 @@ impl Side {
         self.white()?;
         if found.is_too_far() {
             return Err(tr!(
-                "No {figure}: too far from white. CIE 13.3 does not hold for {light}, whose colour is \
-                 {distance} from its reference in CIE 1960 uv",
+                "No {figure}: too far from white. CIE 13.3 does not hold for {light}, whose \
+                 colour is {distance} from its reference in CIE 1960 uv",
                 figure,
                 light = self.name,
                 distance = fixed(found.distance, 4)

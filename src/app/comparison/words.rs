@@ -2,24 +2,27 @@
 
 use std::fmt::Write as _;
 
-use super::compared::Compared;
-use crate::app::quality_report::table_of_two;
+use super::{better::Better, compared::Compared};
+use crate::{app::quality_report::table_of_two, languages::said};
 
 /// The summary, a sentence for each purpose, the figures of both lights and what is to be known.
 pub fn text(compared: &Compared) -> String {
     let [a, b] = &compared.sides;
-    let mut out = tr!("{a} against {b}\n\n{summary}\n\n", a = a.name, b = b.name, summary = compared.summary);
-    let titles = compared.better.iter().map(|better| better.purpose.title);
+    let head = tr!("{a} against {b}", a = a.name, b = b.name);
+    let mut out = format!("{head}\n\n{}\n\n", compared.summary);
+    let title = |better: &Better| said(better.purpose.title);
+    let titles = compared.better.iter().map(title);
     let width = titles.map(|title| title.chars().count()).max().unwrap_or(0);
     // Writing to a String cannot fail.
     for better in &compared.better {
-        let _ = writeln!(out, "{:width$}  {}", better.purpose.title, better.words);
+        let _ = writeln!(out, "{:width$}  {}", title(better), better.words);
     }
     out.push('\n');
     out += &table_of_two([&a.name, &b.name], [&a.figures, &b.figures]);
     out.push('\n');
     for note in &compared.notes {
-        let _ = writeln!(out, "Note: {note}");
+        out += &tr!("Note: {note}", note);
+        out.push('\n');
     }
     out
 }

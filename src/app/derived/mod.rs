@@ -10,10 +10,10 @@ pub use colour::{Colour, ColourComparison};
 pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
 
-use crate::languages::fixed;
 use crate::{
     color::{Adaptation, Observer, Xyz},
-    io::many::{many, numbers},
+    io::many::numbers,
+    languages::fixed,
     spectrum::{
         Band, Composite, Decomposed, Exactness, Line, Series, SpikeEdits, add_lines, gaussian,
     },
@@ -93,7 +93,7 @@ pub(super) fn less(values: &[f64], others: &[f64]) -> Vec<f64> {
 
 /// What is said of a table that lies beside the range.
 pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
-        tr!(
+    tr!(
         "Nothing was measured in {from}-{to} nm: the table covers {first}-{last} nm.",
         from = short(band.min_nm()),
         to = short(band.max_nm()),
@@ -104,12 +104,12 @@ pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
 
 /// What is said of a composite that is shown as it is.
 pub fn as_given_words(given: &Composite) -> String {
-        tr!(
+    tr!(
         "Shown as the composite that it is: its own {numbers} on {from}-{to} nm, {n} line among \
          them; nothing was analysed."
             | "Shown as the composite that it is: its own {numbers} on {from}-{to} nm, {n} lines \
                among them; nothing was analysed."
-            % given.lines().len(),
+                % given.lines().len(),
         numbers = numbers(given.numbers()),
         from = short(given.band().min_nm()),
         to = short(given.band().max_nm())
@@ -231,7 +231,7 @@ impl Derived {
     fn missing_visible(&self) -> Option<String> {
         let (min, max) = (self.band.min_nm(), self.band.max_nm());
         let (first, last) = (Band::VISIBLE.min_nm(), Band::VISIBLE.max_nm());
-                let range = |ends: [f64; 2]| {
+        let range = |ends: [f64; 2]| {
             let [from, to] = ends.map(short);
             format!("{from}-{to}")
         };
@@ -253,7 +253,7 @@ impl Derived {
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
         warnings.extend(self.why_no_colour(question, is_beside));
         if question.power_outside > 0.5 && !is_beside {
-                        warnings.push(tr!(
+            warnings.push(tr!(
                 "{share} % of the light's power is outside {from}-{to} nm.",
                 share = fixed(100.0 * question.power_outside, 1),
                 from = short(self.band.min_nm()),
@@ -261,7 +261,7 @@ impl Derived {
             ));
         }
         if settings.order > settings.effective_order() {
-                        warnings.push(tr!(
+            warnings.push(tr!(
                 "Order cut to {order}: the range has one point per nm, which carries no more.",
                 order = settings.effective_order()
             ));
@@ -270,8 +270,12 @@ impl Derived {
         if let Some(missing) = self.missing_visible() {
             let share = 100.0 * self.colour.missing_luminance;
             warnings.push(if share > 100.0 * WORTH_SAYING {
-                tr!("The range leaves out {missing} nm of the visible, {share} % of the \
-                     light's luminance.", missing, share = fixed(share, 1))
+                tr!(
+                    "The range leaves out {missing} nm of the visible, {share} % of the light's \
+                     luminance.",
+                    missing,
+                    share = fixed(share, 1)
+                )
             } else {
                 tr!("The range leaves out {missing} nm of the visible.", missing)
             });
@@ -279,7 +283,7 @@ impl Derived {
         warnings.extend(self.observer_ends(settings.observer));
         warnings.extend(question.more_than_a_fraction());
         if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
-                        let [first, last] = question.table_nm.map(short);
+            let [first, last] = question.table_nm.map(short);
             warnings.push(match question.is_light {
                 true => tr!(
                     "Measured from {first} to {last} nm; beyond, the light is taken for zero.",
@@ -299,13 +303,13 @@ impl Derived {
         {
             warnings.push(tr!(
                 "This screen cannot show the colour exactly: {how}.",
-                how = colour.swatch.mapping.words()
+                how = crate::languages::said(colour.swatch.mapping.words())
             ));
         }
         if let Some(lowest) = self.figures[Measure::Lowest]
             && lowest < -WORTH_SAYING
         {
-                        warnings.push(tr!(
+            warnings.push(tr!(
                 "The waves dip below zero, to {lowest} % of the peak.",
                 lowest = fixed(100.0 * lowest, 1)
             ));
@@ -321,7 +325,7 @@ impl Derived {
             f64::from(first) > self.band.min_nm() || f64::from(last) < self.band.max_nm();
         (is_short && !observer.is_shipped()).then(|| {
             let title = observer.title();
-                        tr!(
+            tr!(
                 "The observer {title} is known from {first} to {last} nm: beyond, nothing counts.",
                 title,
                 first,
@@ -335,7 +339,7 @@ impl Derived {
         if is_beside {
             let mut said = nothing_measured(self.band, question.table_nm);
             if !question.is_light {
-                                said += " ";
+                said += " ";
                 said += said!("What is shown is its nearest value, held.");
             }
             return Some(said);
@@ -354,12 +358,12 @@ impl Derived {
 
     fn why_not_exact(&self) -> Option<&'static str> {
         match self.exactness? {
-            Exactness::TooFewNumbers => {
-                Some(said!("Colour-exact needs order 1 or more: plain least squares used."))
-            }
-            Exactness::IllConditioned { .. } => {
-                Some(said!("This range does not tell X, Y and Z apart: plain least squares used."))
-            }
+            Exactness::TooFewNumbers => Some(said!(
+                "Colour-exact needs order 1 or more: plain least squares used."
+            )),
+            Exactness::IllConditioned { .. } => Some(said!(
+                "This range does not tell X, Y and Z apart: plain least squares used."
+            )),
             Exactness::Exact { .. } => None,
         }
     }
@@ -370,7 +374,7 @@ impl Question<'_> {
         let top = self.measured.iter().copied().fold(0.0, f64::max);
         (!self.is_light && top > LARGEST_FRACTION).then(|| {
             // What was divided already is asked about no more.
-                        let question = if self.is_divided {
+            let question = if self.is_divided {
                 said!("Per cent was taken out already: noise, or more light than fell on it?")
             } else {
                 said!("Are they per cent, or a light?")

@@ -247,7 +247,7 @@ fn surface_of(given: &Given, document: &Document) -> Result<Option<Arc<Entry>>, 
 }
 
 fn missing(key: &str) -> String {
-        tr!("The library has no {key} any more: choose another.", key)
+    tr!("The library has no {key} any more: choose another.", key)
 }
 
 fn under(

@@ -1,26 +1,35 @@
 //! A colour and the spectra that have it, in words.
 
-use crate::languages::fixed;
 use super::colour::ColourSheet;
-use crate::design::recover::{Method, NODES, Recovered, node_nm};
+use crate::{
+    design::recover::{Method, NODES, Recovered, node_nm},
+    languages::fixed,
+};
 
 /// Where the band's width is told: the ends are hardly seen, nm.
 const TOLD_NM: std::ops::RangeInclusive<f64> = 420.0..=680.0;
+
+/// One thing, or two with an "and" between.
+fn and(words: &[&str]) -> String {
+    let mut words = words.iter().map(|word| (*word).to_owned());
+    let first = words.next().unwrap_or_default();
+    words.fold(first, |list, last| tr!("{list} and {last}", list, last))
+}
 
 impl ColourSheet {
     /// The result in a sentence.
     pub fn sentence(&self) -> String {
         let lights: Vec<&str> = self.seen.iter().map(|seen| seen.light.as_str()).collect();
-                let light = &and(&lights);
+        let light = &and(&lights);
         let are_two = lights.len() > 1;
         if let Some(nearest) = &self.smoothest.nearest {
             let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
             let (off, visible) = (most(&nearest.delta_e_ab), most(&nearest.delta_e));
-                        let (off, visible) = (fixed(off, 1), fixed(visible, 1));
+            let (off, visible) = (fixed(off, 1), fixed(visible, 1));
             return match are_two {
                 true => tr!(
-                    "No surface has these colours under {lights}: the nearest by ΔE*ab that one can \
-                     have is {off} ΔE*ab off ({visible} ΔE₀₀), and is what is drawn.",
+                    "No surface has these colours under {lights}: the nearest by ΔE*ab that one \
+                     can have is {off} ΔE*ab off ({visible} ΔE₀₀), and is what is drawn.",
                     lights = light,
                     off,
                     visible
@@ -40,11 +49,11 @@ impl ColourSheet {
                 let worst = looks
                     .filter_map(|(under, off)| Some((&under.light, (*off)?)))
                     .max_by(|a, b| a.1.total_cmp(&b.1));
-                                let (surface, rms) = (entry.name(), fixed(told.rms, 3));
+                let (surface, rms) = (entry.name(), fixed(told.rms, 3));
                 match (are_two, worst) {
                     (true, Some((other, off))) => tr!(
-                        "From its colours under {lights}, {surface} comes out {rms} off (rms), and \
-                         under {other} it looks {off} ΔE₀₀ off.",
+                        "From its colours under {lights}, {surface} comes out {rms} off (rms), \
+                         and under {other} it looks {off} ΔE₀₀ off.",
                         lights = light,
                         surface,
                         rms,
@@ -77,7 +86,7 @@ impl ColourSheet {
             _ => {
                 let [low, high] = self.smoothest.reflectance.extent().map(|v| 100.0 * v);
                 let each = self.seen.iter().map(|seen| match are_two {
-                                        true => tr!(
+                    true => tr!(
                         "{colour} under {light}",
                         colour = seen.swatch.hex(),
                         light = seen.light
@@ -85,7 +94,7 @@ impl ColourSheet {
                     false => seen.swatch.hex(),
                 });
                 let each: Vec<String> = each.collect();
-                                let each: Vec<&str> = each.iter().map(String::as_str).collect();
+                let each: Vec<&str> = each.iter().map(String::as_str).collect();
                 tr!(
                     "The smoothest surface of {colours} reflects {low} to {high} %.",
                     colours = and(&each),
@@ -94,7 +103,7 @@ impl ColourSheet {
                 )
             }
         };
-                let Some(spread) = self.spread() else {
+        let Some(spread) = self.spread() else {
             return first;
         };
         let spread = tr!(
@@ -124,14 +133,14 @@ impl ColourSheet {
     pub fn facts(&self) -> Vec<[String; 4]> {
         let row = |method: Method, range: String, round: Option<f64>, condition: Option<f64>| {
             let number = |value: Option<f64>, digits: usize| {
-                                value.map_or_else(|| "-".to_owned(), |value| fixed(value, digits))
+                value.map_or_else(|| "-".to_owned(), |value| fixed(value, digits))
             };
             let name = method_name(method).to_owned();
             [name, range, number(round, 2), number(condition, 0)]
         };
         let of_surface = |method: Method, found: &Recovered| {
             let [low, high] = found.reflectance.extent();
-                        let (low, high) = (fixed(low, 2), fixed(high, 2));
+            let (low, high) = (fixed(low, 2), fixed(high, 2));
             let range = match found.is_inside_0_1() {
                 true => tr!("{low} to {high}", low, high),
                 false => tr!("{low} to {high} \u{25b2} no surface is so", low, high),
@@ -154,7 +163,7 @@ impl ColourSheet {
                 let lines: f64 = found.lines.iter().map(|line| line.weight).sum();
                 let share = 100.0 * lines / (lines + power);
                 let told = match &found.nearest {
-                                        Some(_) => said!("\u{25b2} only near it").to_owned(),
+                    Some(_) => said!("\u{25b2} only near it").to_owned(),
                     None => tr!("{share} % in the lines", share = fixed(share, 0)),
                 };
                 let condition = Some(found.condition_number);

@@ -1,7 +1,6 @@
 //! What the mixing desk shows: each channel as a light, the figures of the mixture, the table of
 //! channels.
 
-use crate::languages::{fixed, said, with_sign};
 use super::{
     light,
     mix::{FULL, Mix, MixChannel},
@@ -25,6 +24,7 @@ use crate::{
         mixture::{Channel, MixError, Source, mixed},
         solve::{MixFigures, Mixer},
     },
+    languages::{fixed, said, with_sign},
 };
 
 /// From which value on a figure is good, and from which it is fair: what standards and
@@ -183,7 +183,7 @@ impl Desk {
             return self.sentence();
         };
         let what = tint::light_words(cct);
-                let light = tr!(
+        let light = tr!(
             "{what} of {temperature}",
             what,
             temperature = tint::kelvin_words(cct.kelvin)
@@ -199,7 +199,7 @@ impl Desk {
         let indices = samples.map(|sample| sample.index).enumerate();
         let worst = indices.min_by(|a, b| a.1.total_cmp(&b.1));
         let worst = worst.filter(|(_, index)| *index < GOOD_R9[1]);
-                match worst {
+        match worst {
             None => format!("{light}: {colours}."),
             Some((at, index)) => tr!(
                 "{light}: {colours}, {worst} most of all (R{number} {index}).",
@@ -220,7 +220,7 @@ impl Desk {
         let whole = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.0}"));
         let word = |value: Option<f64>, [good, fair]: [f64; 2]| match value {
             None => "",
-                        Some(value) if value >= good => later!("good"),
+            Some(value) if value >= good => later!("good"),
             Some(value) if value >= fair => later!("fair"),
             Some(_) => later!("low"),
         };
@@ -236,20 +236,24 @@ impl Desk {
             figure(
                 said!("White"),
                 cct.map_or("–".to_owned(), |cct| tint::kelvin_words(cct.kelvin)),
-                                cct.map_or(said!("coloured"), tint::tint),
+                cct.map_or(later!("coloured"), tint::tint),
                 said!("Correlated colour temperature."),
             ),
             figure(
-                                "Duv",
-                cct.map_or("–".to_owned(), |cct| with_sign(format!("{:+.4}", cct.duv))),
+                "Duv",
+                cct.map_or("–".to_owned(), |cct| {
+                    with_sign(format!("{:+.4}", cct.duv))
+                }),
                 "",
                 said!("Distance from the line of blackbodies: above 0 greenish, below 0 pinkish."),
             ),
             figure(
                 said!("Light"),
-                                format!("{:.0} lm/W", figures.ler),
+                format!("{:.0} lm/W", figures.ler),
                 "",
-                said!("Luminous efficacy: lumens for each watt of radiation, not of electric power."),
+                said!(
+                    "Luminous efficacy: lumens for each watt of radiation, not of electric power."
+                ),
             ),
             figure(
                 "CRI Ra",
@@ -267,8 +271,10 @@ impl Desk {
                 "TM-30 Rf, Rg",
                 rf_rg,
                 word(figures.rf, GOOD_RF),
-                said!("Fidelity over 99 surfaces, good from 85 on, and gamut: above 100 colours are more \
-                 vivid than under the reference."),
+                said!(
+                    "Fidelity over 99 surfaces, good from 85 on, and gamut: above 100 colours are \
+                     more vivid than under the reference."
+                ),
             ),
         ]
     }
@@ -317,13 +323,13 @@ impl Strip {
 
 /// "3000 K and white ...: Ra 92, ..." of the figures of a light.
 pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
-        let per_watt = format!("{:.0} lm/W", figures.ler);
+    let per_watt = format!("{:.0} lm/W", figures.ler);
     let melanopic = tr!(
         "melanopic DER {value}",
         value = fixed(figures.melanopic_der, 2)
     );
     let Some(cct) = figures.cct else {
-                return tr!(
+        return tr!(
             "A coloured light without a colour temperature: {per_watt}, {melanopic}.",
             per_watt,
             melanopic
@@ -332,14 +338,14 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     let what = tint::light_words(cct);
     let index = |name: &str, value: Option<f64>| value.map(|v| format!("{name} {v:.0}"));
     let indices = [
-                index("Ra", figures.ra),
+        index("Ra", figures.ra),
         index("R9", r9),
         index("Rf", figures.rf),
         index("Rg", figures.rg),
     ];
     let mut all: Vec<String> = indices.into_iter().flatten().collect();
     all.extend([per_watt, melanopic]);
-        tr!(
+    tr!(
         "{what} of {temperature} (Duv {duv}): {figures}.",
         what,
         temperature = tint::kelvin_words(cct.kelvin),

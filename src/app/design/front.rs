@@ -1,7 +1,6 @@
 //! What lines at free places are found to reach at best: the trade between efficacy and colour
 //! rendering, as a job.
 
-use crate::languages::fixed;
 use super::{
     mix::{FULL, Mix, MixChannel},
     wish::MixWish,
@@ -13,6 +12,7 @@ use crate::{
         mixture::Source,
         solve::{Against, FrontPoint, FrontProblem, front},
     },
+    languages::fixed,
     study::Progress,
 };
 
@@ -45,7 +45,7 @@ impl Question for FrontProblem {
 /// The name of the figure that efficacy is traded for.
 pub fn figure_name(against: Against) -> &'static str {
     match against {
-                Against::Rf => "Rf",
+        Against::Rf => "Rf",
         Against::Ra => "Ra",
     }
 }
@@ -67,13 +67,8 @@ pub fn on_desk(point: &FrontPoint) -> Mix {
 /// The lines of a point in words.
 pub fn lines_words(point: &FrontPoint) -> String {
     let lines = point.lines.iter();
-        let lines = lines.map(|l| {
-        format!(
-            "{} nm {:.0} %",
-            fixed(l.at_nm, 1),
-            100.0 * l.share_of_power
-        )
-    });
+    let lines =
+        lines.map(|l| format!("{} nm {:.0} %", fixed(l.at_nm, 1), 100.0 * l.share_of_power));
     lines.collect::<Vec<_>>().join(", ")
 }
 
@@ -83,7 +78,7 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontProblem) -> String {
     let told = |point: &FrontPoint| {
         let value = ask.against.of(&point.figures);
         let value = value.map_or_else(|| "-".to_owned(), |value| format!("{value:.0}"));
-                tr!(
+        tr!(
             "{figure} {value} at {efficacy} lm/W",
             figure = name,
             value,
@@ -91,7 +86,7 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontProblem) -> String {
         )
     };
     match (points.first(), points.last()) {
-                (Some(first), Some(last)) => tr!(
+        (Some(first), Some(last)) => tr!(
             "The best found with {count} lines of this colour: {first} ({lines}) to {last}.",
             count = ask.lines,
             first = told(first),

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::languages::fixed;
 use crate::{
     app::{
         design::mix::title,
@@ -12,6 +11,7 @@ use crate::{
     },
     color::xyz::{FIRST_NM, LAST_NM},
     design::mixture::{Channel, MixError, Source, Spec, mixed},
+    languages::fixed,
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
 
@@ -67,7 +67,7 @@ pub(crate) fn spectrum(
     let both = channels.iter().zip(powers);
     let shine: Vec<(&Channel, f64)> = both.map(|(c, power)| (c, power * c.power())).collect();
     let whole: f64 = shine.iter().map(|(_, power)| power).sum();
-        let share = |power: &f64| format!("{} %", fixed(100.0 * power / whole, 1));
+    let share = |power: &f64| format!("{} %", fixed(100.0 * power / whole, 1));
     let parts: Vec<String> = shine
         .iter()
         .filter(|(_, power)| *power > 0.0)
@@ -75,10 +75,10 @@ pub(crate) fn spectrum(
             format!("{} {}", title(&channel.spec.source, name_of), share(power))
         })
         .collect();
-        let gels: Vec<String> = gels.iter().map(|gel| gel.words(name_of)).collect();
+    let gels: Vec<String> = gels.iter().map(|gel| gel.words(name_of)).collect();
     let gels = gels
         .into_iter()
-        .reduce(|before, last| tr!("{before} and {last}", before, last));
+        .reduce(|list, last| tr!("{list} and {last}", list, last));
     let name = match (&parts[..], &gels) {
         ([], _) => return None,
         ([one], None) => tr!("Mixture of {channel}", channel = one),
@@ -98,19 +98,19 @@ pub(crate) fn spectrum(
             shares
         ),
         Some(gels) => tr!(
-            "Mixed behind {gels}, shares of power: {shares}. A line without width is split over its \
-             two neighbouring nm.",
+            "Mixed behind {gels}, shares of power: {shares}. A line without width is split over \
+             its two neighbouring nm.",
             gels,
             shares
         ),
     };
     Some(NamedSpectrum {
-                name,
+        name,
         kind: Kind::Light,
         unit: "relative".to_owned(),
         scale: 1.0,
         samples: Sampled::even(f64::from(FIRST_NM), 1.0, values).ok()?,
-                notes: vec![note],
+        notes: vec![note],
         source: "mixed channels".to_owned(),
     })
 }

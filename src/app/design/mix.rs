@@ -1,6 +1,5 @@
 //! The mixing desk: channels with their faders, part of the document, so that undo reaches it.
 
-use crate::languages::fixed;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -10,6 +9,7 @@ use crate::{
         ticks::short,
     },
     design::mixture::Source,
+    languages::fixed,
 };
 
 /// A fader that is all the way up, per cent of a channel's full power.
@@ -67,7 +67,7 @@ impl MixChannel {
 /// What a channel is made of, in words; of a light of the library its name.
 pub fn title(source: &Source, name_of: NameOf<'_>) -> String {
     match source {
-                Source::Line { at_nm } => tr!("line {place} nm", place = short(*at_nm)),
+        Source::Line { at_nm } => tr!("line {place} nm", place = short(*at_nm)),
         Source::Gauss { centre_nm, .. } => tr!("LED {place} nm", place = short(*centre_nm)),
         Source::Blackbody { kelvin } => tr!("blackbody {kelvin} K", kelvin = fixed(kelvin, 0)),
         Source::Daylight { kelvin } => tr!("daylight {kelvin} K", kelvin = fixed(kelvin, 0)),
@@ -212,7 +212,7 @@ impl Mix {
             return Some(self.changed_gel(before, name_of));
         }
         if is.len() != was.len() {
-                        let words = if is.len() > was.len() {
+            let words = if is.len() > was.len() {
                 said!("more channels to mix")
             } else {
                 said!("fewer channels to mix")
@@ -230,13 +230,17 @@ impl Mix {
         };
         let name = now.title(name_of);
         Some(if now.source != then.source {
-                        tr!(
+            tr!(
                 "{before} to {after}",
                 before = then.title(name_of),
                 after = name
             )
         } else if now.level != then.level {
-            tr!("fader of {name} to {level} %", name, level = fixed(now.level, 0))
+            tr!(
+                "fader of {name} to {level} %",
+                name,
+                level = fixed(now.level, 0)
+            )
         } else if now.group != then.group {
             match now.group {
                 0 => tr!("{name} in no group", name),
@@ -254,7 +258,7 @@ impl Mix {
         let gone = was.iter().find(|gel| !is.iter().any(|b| b.key == gel.key));
         let other = is.iter().zip(was).find(|(a, b)| a != b);
         match (new, gone, other) {
-                        (Some(gel), _, _) => tr!("gel {gel} put on", gel = gel.words(name_of)),
+            (Some(gel), _, _) => tr!("gel {gel} put on", gel = gel.words(name_of)),
             (None, Some(gel), _) => tr!("gel {gel} taken off", gel = gel.words(name_of)),
             (None, None, Some((gel, _))) => tr!("gel {gel}", gel = gel.words(name_of)),
             (None, None, None) => said!("gels of the mixture").to_owned(),

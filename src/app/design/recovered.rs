@@ -6,6 +6,7 @@ use crate::{
     design::recover::{
         BAND, Colour, LineLight, LitColour, Method, RecoverError, Recovered, Seen, Viewing,
     },
+    languages::{Language, in_language},
     spectrum::{Kind, NamedSpectrum, Outside, Sampled, SpikeSettings, detect},
 };
 
@@ -103,15 +104,32 @@ pub(crate) fn spectrum(
     lines: &[f64],
 ) -> Result<NamedSpectrum, RecoverError> {
     let first = shown.first().ok_or(RecoverError::NotAColour)?;
-    let each = |shown: &Shown| tr!("{colour} under {lamp}", colour = shown.colour, lamp = shown.lamp);
-    let (kind, unit, samples, name, from) = match method {
+    let each = |shown: &Shown| {
+        tr!(
+            "{colour} under {light}",
+            colour = shown.colour,
+            light = shown.lamp
+        )
+    };
+    let from = || match method {
+        Method::Lines => tr!(
+            "{colour} and the glow of {light}",
+            colour = first.colour,
+            light = first.lamp
+        ),
+        Method::Smoothest | Method::Fourier3 | Method::Fourier6 => shown
+            .iter()
+            .map(each)
+            .reduce(|list, last| tr!("{list} and {last}", list, last))
+            .unwrap_or_default(),
+    };
+    let (kind, unit, samples, name) = match method {
         Method::Lines => {
             let found = line_light(&first.given, lines, &first.light, first.surface.as_ref())?;
             let samples = Sampled::even(BAND.min_nm(), 1.0, found.on_band())
                 .map_err(|_| RecoverError::NotAColour)?;
             let name = tr!("Light of lines, {colour}", colour = first.colour);
-            let from = tr!("{colour} and the glow of {lamp}", colour = first.colour, lamp = first.lamp);
-            (Kind::Light, "relative", samples, name, from)
+            (Kind::Light, "relative", samples, name)
         }
         Method::Smoothest | Method::Fourier3 | Method::Fourier6 => {
             let asked = shown.iter();
@@ -119,9 +137,8 @@ pub(crate) fn spectrum(
             let asked = asked.collect::<Result<Vec<_>, _>>()?;
             let seen: Vec<Seen> = asked.iter().map(Asked::seen).collect();
             let samples = Recovered::new(method, &seen)?.reflectance.sampled();
-            let from = shown.iter().map(each).collect::<Vec<_>>().join(" and ");
-            let name = tr!("Surface from {from}", from);
-            (Kind::Reflectance, "fraction", samples, name, from)
+            let name = tr!("Surface from {colours}", colours = from());
+            (Kind::Reflectance, "fraction", samples, name)
         }
     };
     Ok(NamedSpectrum {
@@ -130,7 +147,12 @@ pub(crate) fn spectrum(
         unit: unit.to_owned(),
         scale: 1.0,
         samples,
-        notes: vec![tr!("Made from {from}: {title}.", from, title = method.title())],
-        source: tr!("made from {from}", from),
+        notes: vec![tr!(
+            "Made from {colours}: {method}.",
+            colours = from(),
+            method = method.title()
+        )],
+        // What tells its kind of source again, so in one language.
+        source: in_language(Language::English, || format!("made from {}", from())),
     })
 }

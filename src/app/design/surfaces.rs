@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::desk::Desk;
-use crate::languages::{fixed, said};
 use crate::{
     app::{document::Document, library::Library, made::EVERYDAY_SET},
     color::{
@@ -11,6 +10,7 @@ use crate::{
         quality::{RENDERING_NAMES, Rendering},
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
+    languages::{fixed, said},
     preset::Preset,
 };
 
@@ -135,7 +135,7 @@ fn one(name: &str, xyz: [Xyz; 2], whites: [Xyz; 2], index: Option<String>) -> Be
     Beside {
         test: seen(0),
         other: seen(1),
-                words: format!("{index}{name}, ΔE₀₀ {}", fixed(apart, 1)),
+        words: format!("{index}{name}, ΔE₀₀ {}", fixed(apart, 1)),
     }
 }
 

@@ -64,7 +64,9 @@ impl Telling {
             Self::Srgb => said!("As a screen shows it to an eye that is adapted to the light."),
             Self::Xyz => said!("CIE 1931, a perfect white having Y = 100 under the light."),
             Self::Lab => said!("CIE 1976, against the light's own white."),
-            Self::Xyy => said!("CIE 1931 chromaticity, and Y = 100 for a perfect white under the light."),
+            Self::Xyy => {
+                said!("CIE 1931 chromaticity, and Y = 100 for a perfect white under the light.")
+            }
         }
     }
 

@@ -1,6 +1,5 @@
 //! What is wished of a mixture, and the faders for it.
 
-use crate::languages::{fixed, with_sign};
 use super::{
     desk::{Desk, words},
     mix::Mix,
@@ -17,6 +16,7 @@ use crate::{
         mixture::{Channel, MixError},
         solve::{Care, Mixer, Problem, Solution, Target},
     },
+    languages::{fixed, with_sign},
     spectrum::Outside,
 };
 
@@ -68,7 +68,7 @@ impl MixWish {
             (Some(key), _) => document.name_of(key),
             (None, Some([x, y])) => format!("x {}, y {}", fixed(x, 4), fixed(y, 4)),
             (None, None) if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
-                        (None, None) => format!(
+            (None, None) => format!(
                 "{} K, Duv {}",
                 fixed(self.kelvin, 0),
                 with_sign(format!("{:+.4}", self.duv))
@@ -225,7 +225,7 @@ impl Answered {
 fn told(asked: &str, solution: &Solution) -> String {
     let found = words(&solution.figures, None);
     match (solution.reached, solution.delta_uv_to_target) {
-                (true, _) => tr!(
+        (true, _) => tr!(
             "These channels can make the colour of {asked} exactly. {found}",
             asked,
             found

@@ -2,11 +2,11 @@
 //! others to its right. One exact ray for each line, the smooth part between its neighbours; what
 //! is totally reflected on its way through the glass.
 
-use crate::languages::fixed;
 use super::{strip::smooth_is_seen, words::Line};
 use crate::{
     app::{chart::Rgb, pages::Handle},
     color::{Observer, Srgb, Swatch, srgb_from_wavelength},
+    languages::fixed,
     optics::{Bench, BenchSettings, Incidence, Light, Material, SEEN_NM},
 };
 
@@ -365,8 +365,16 @@ impl Stand<'_> {
             enters: [entry, along],
             rgb: Swatch::of_light(light.white(observer)).rgb8.0,
             grips: vec![
-                grip(Handle::Apex, prism[2], format!("{apex_deg:.1}\u{b0}")),
-                grip(Handle::Slit, jaws[1][1], tr!("{slit_mm} mm", slit_mm = fixed(slit_mm, 2))),
+                grip(
+                    Handle::Apex,
+                    prism[2],
+                    format!("{}\u{b0}", fixed(apex_deg, 1)),
+                ),
+                grip(
+                    Handle::Slit,
+                    jaws[1][1],
+                    format!("{} mm", fixed(slit_mm, 2)),
+                ),
             ],
             smooth,
             lines: line_rays(&self, lines).map(turned).collect(),

@@ -1,7 +1,6 @@
 //! A drop of water in section: a fan of rays, and where it meets the drop at one place a ray of each
 //! line.
 
-use crate::languages::fixed;
 use super::{
     strip::smooth_is_seen,
     words::{Line, nm},
@@ -9,6 +8,7 @@ use super::{
 use crate::{
     app::{chart::Rgb, pages::RainbowMemory},
     color::{Observer, Srgb, srgb_from_wavelength},
+    languages::fixed,
     optics::{DropRay as Refracted, Light, Material, from_antisolar},
 };
 
@@ -97,17 +97,33 @@ fn words(material: &Material, lines: &[Line], impact: f64, reflections: u32) -> 
     };
     let told = |at_nm: f64| {
         let (angle, _) = leaves(at_nm)?;
-        Some(tr!("{nm} at {angle}\u{b0}", nm = nm(at_nm), angle = fixed(angle, 1)))
+        Some(tr!(
+            "{place} at {angle}\u{b0}",
+            place = nm(at_nm),
+            angle = fixed(angle, 1)
+        ))
     };
     let mut places: Vec<String> = ends.iter().filter_map(|at_nm| told(*at_nm)).collect();
     places.dedup();
     let share = leaves(ends[0]).map_or(0.0, |(_, left)| 100.0 * left);
-    tr!("Met at {impact} of its radius, after {reflections} inside: {join} from the point opposite the sun, \
-         {share} % of what fell there.", impact = fixed(impact, 2), reflections = if reflections == 1 {
-            said!("one reflection")
-        } else {
-            said!("two reflections")
-        }, join = places.join(", "), share = fixed(share, 1))
+    let (impact, share) = (fixed(impact, 2), fixed(share, 1));
+    let places = places.join(", ");
+    match reflections {
+        1 => tr!(
+            "Met at {impact} of its radius, after one reflection inside: {places} from the point \
+             opposite the sun, {share} % of what fell there.",
+            impact,
+            places,
+            share
+        ),
+        _ => tr!(
+            "Met at {impact} of its radius, after two reflections inside: {places} from the point \
+             opposite the sun, {share} % of what fell there.",
+            impact,
+            places,
+            share
+        ),
+    }
 }
 
 /// A ray's way through a drop: it comes from the left above the middle and goes round clockwise.

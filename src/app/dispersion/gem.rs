@@ -3,7 +3,6 @@
 //! A film holds transport and no light. A light that changes is summed anew over the film that is
 //! there; only places of spikes that it has no rays for yet are traced.
 
-use crate::languages::fixed;
 use std::sync::Arc;
 
 use web_time::Instant;
@@ -18,7 +17,8 @@ use crate::{
         verdicts::Seen,
     },
     color::Observer,
-    io::many::{capitalised, many},
+    io::many::capitalised,
+    languages::fixed,
     optics::{
         Absorption, Brilliant, Film, FilmSettings, IndexError, Light, MOST_LINES, Material, Noise,
         Scene, Studio, View,
@@ -164,7 +164,8 @@ impl GemMemory {
                 let entry = app.entry(&self.filter);
                 let filter = entry.filter(|entry| entry.kind() == Kind::Transmittance);
                 let filter = filter.ok_or_else(|| {
-                    said!("The filter that colours the gem is not open: choose another one.").to_owned()
+                    said!("The filter that colours the gem is not open: choose another one.")
+                        .to_owned()
                 })?;
                 Absorption::of_filter(&filter.spectrum.samples, self.thickness).map_err(said)
             }
@@ -314,17 +315,33 @@ impl Question for NoiseAsk {
 /// The noise of a picture in words.
 pub fn noise_words(noise: &Noise) -> String {
     let delta = noise.delta_e_on_gem.unwrap_or(noise.delta_e_median);
-    let seen = Seen::of(delta).seen();
-    tr!("the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is {seen}", delta = fixed(delta, 1), seen)
+    let (seen, delta) = (Seen::of(delta), fixed(delta, 1));
+    match seen {
+        Seen::Hardly => tr!(
+            "the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is hard to see",
+            delta
+        ),
+        Seen::SideBySide => tr!(
+            "the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is seen side \
+             by side",
+            delta
+        ),
+        Seen::Visible => tr!(
+            "the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is visible",
+            delta
+        ),
+        Seen::Large => tr!(
+            "the noise, \u{394}E\u{2080}\u{2080} {delta} in blocks of 8 x 8 pixels, is large",
+            delta
+        ),
+    }
 }
 
 /// What the page shows, a sentence.
 pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
     let gem = capitalised(&memory.made_of.in_words(app));
     let figures = memory.made_of.material(app).ok().and_then(|m| m.abbe());
-    let bends = figures.map_or_else(String::new, |figures| {
-        tr!(" bends violet more than red (n differs by {fire})", fire = fixed(figures.fire, 3))
-    });
+    let fire = figures.map(|figures| fixed(figures.fire, 3));
     let one_colour = |light: &&Light| is_of_one_colour(light);
     let (flat, colourful): (Vec<&Light>, Vec<&Light>) = lights.iter().partition(one_colour);
     let name = |light: &Light| light.name.clone();
@@ -332,10 +349,44 @@ pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
         let names: Vec<String> = lights.iter().map(|light| name(light)).collect();
         listed(&names)
     };
-    match (&colourful[..], &flat[..]) {
-        ([], flat) => tr!("{gem}{bends}, but {names} has one colour: no fire.", gem, bends, names = names(flat)),
-        (colourful, []) => tr!("{gem}{bends}: it splits {names} into fire.", gem, bends, names = names(colourful)),
-        (colourful, flat) => tr!("{gem}{bends}: it splits {names} into fire, but not {names_2}, which has one colour.", gem, bends, names = names(colourful), names_2 = names(flat)),
+    match (&colourful[..], &flat[..], fire) {
+        ([], flat, Some(fire)) => tr!(
+            "{gem} bends violet more than red (n differs by {fire}), but {lights} has one colour: \
+             no fire.",
+            gem,
+            fire,
+            lights = names(flat)
+        ),
+        ([], flat, None) => tr!(
+            "{gem}, but {lights} has one colour: no fire.",
+            gem,
+            lights = names(flat)
+        ),
+        (colourful, [], Some(fire)) => tr!(
+            "{gem} bends violet more than red (n differs by {fire}): it splits {lights} into fire.",
+            gem,
+            fire,
+            lights = names(colourful)
+        ),
+        (colourful, [], None) => tr!(
+            "{gem}: it splits {lights} into fire.",
+            gem,
+            lights = names(colourful)
+        ),
+        (colourful, flat, Some(fire)) => tr!(
+            "{gem} bends violet more than red (n differs by {fire}): it splits {lights} into \
+             fire, but not {others}, which has one colour.",
+            gem,
+            fire,
+            lights = names(colourful),
+            others = names(flat)
+        ),
+        (colourful, flat, None) => tr!(
+            "{gem}: it splits {lights} into fire, but not {others}, which has one colour.",
+            gem,
+            lights = names(colourful),
+            others = names(flat)
+        ),
     }
 }
 
@@ -368,33 +419,57 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
     let mut facts = Vec::new();
     let unseen = light.share_unseen();
     if unseen >= 0.0005 {
-        facts.push(tr!("{unseen} % of the power of {light} lies outside 380 to 780 nm and is not traced.", unseen = fixed(100.0 * unseen, 1), light = light.name));
+        facts.push(tr!(
+            "{share} % of the power of {light} lies outside 380 to 780 nm and is not traced.",
+            share = fixed(100.0 * unseen, 1),
+            light = light.name
+        ));
     }
     let missing = film.film.missing_lines(light).len();
     if missing > 0 {
-        facts.push(tr!("{many} of {light} stand in coarse wavelengths until their rays are traced.", many = many(missing, "line", "lines"), light = light.name));
+        facts.push(tr!(
+            "{n} line of {light} stand in coarse wavelengths until their rays are traced."
+                | "{n} lines of {light} stand in coarse wavelengths until their rays are traced."
+                    % missing,
+            light = light.name
+        ));
     }
     let more = light.seen_spikes().count().saturating_sub(MOST_LINES);
     if more > 0 {
-        facts.push(tr!("The {MOST_LINES} strongest lines of {light} have rays of their own; {many} in coarse \
-             wavelengths.", MOST_LINES, light = light.name, many = many(more, said!("other stands"), said!("others stand"))));
+        facts.push(tr!(
+            "The {most} strongest lines of {light} have rays of their own; {n} other stands in \
+             coarse wavelengths."
+                | "The {most} strongest lines of {light} have rays of their own; {n} others stand \
+                   in coarse wavelengths."
+                    % more,
+            most = MOST_LINES,
+            light = light.name
+        ));
     }
     if film.film.studio().absorption().is_floored() {
         facts.push(
-            said!("Where the filter lets less than a millionth through, a millionth is reckoned with.")
-                .into(),
+            said!(
+                "Where the filter lets less than a millionth through, a millionth is reckoned with."
+            )
+            .into(),
         );
     }
     let cut = film.film.traced().cut;
     if cut > 0 {
-        facts.push(tr!("{many} at the last of 512 faces.", many = many(cut as usize, said!("ray was cut"), said!("rays were cut"))));
+        facts.push(tr!("{n} ray was cut at the last of 512 faces."
+            | "{n} rays were cut at the last of 512 faces." % cut));
     }
     let material = film.film.studio().material();
     if (380..=780).any(|nm| material.is_extrapolated(f64::from(nm)))
         && let Some([from, to]) = material.published_nm
     {
-        facts.push(tr!("The index of {material} was published for {from} to {to} nm; beyond them it is \
-             extrapolated.", material = material.name, from = fixed(from, 0), to = fixed(to, 0)));
+        facts.push(tr!(
+            "The index of {material} was published for {from} to {to} nm; beyond them it is \
+             extrapolated.",
+            material = crate::languages::translated(&material.name),
+            from = fixed(from, 0),
+            to = fixed(to, 0)
+        ));
     }
     facts
 }

@@ -57,7 +57,7 @@ impl GemFile {
     /// A name made of gem and light.
     pub fn file_name(&self) -> String {
         let material = &self.film.0.film.studio().material().name;
-        let words = tr!("{material} under {light}", material, light = self.light.name);
+        let words = format!("{material} under {}", self.light.name);
         let letters = words.chars();
         let stem: String = letters
             .map(|c| if c.is_alphanumeric() { c } else { '-' })

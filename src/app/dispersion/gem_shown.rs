@@ -1,10 +1,10 @@
 //! A film under a light as the page shows it: which part of the light, how bright, to which eye.
 
-use crate::languages::fixed;
 use super::gem::GemFilm;
 use crate::{
     app::pages::LightPart,
     color::{Adaptation, Observer},
+    languages::fixed,
     optics::Light,
 };
 
@@ -38,13 +38,15 @@ impl GemShown {
     /// # Errors
     /// A sentence where the light has no such part.
     pub fn of(film: &GemFilm, light: &Light, look: GemLook) -> Result<Self, String> {
-        let missing = |what: &str| tr!("{light} has no {what}.", light = light.name, what);
         let part = match look.part {
             LightPart::Whole => None,
-            LightPart::Lines => Some(light.lines_alone().ok_or_else(|| missing("line"))?),
+            LightPart::Lines => {
+                let lines = light.lines_alone();
+                Some(lines.ok_or_else(|| tr!("{light} has no line.", light = light.name))?)
+            }
             LightPart::Smooth => {
                 let smooth = light.smooth_alone();
-                Some(smooth.ok_or_else(|| missing(said!("smooth part")))?)
+                Some(smooth.ok_or_else(|| tr!("{light} has no smooth part.", light = light.name))?)
             }
         };
         let whole = film.film.picture(light, look.observer);
@@ -54,7 +56,9 @@ impl GemShown {
         };
         let camera = Adaptation::None.words();
         let seen = match (look.adaptation, &adapted) {
-            (Adaptation::ToLight, None) => tr!("{camera}: no eye adapts to so narrow a light", camera),
+            (Adaptation::ToLight, None) => {
+                tr!("{camera}: no eye adapts to so narrow a light", camera)
+            }
             (adaptation, _) => adaptation.words().to_owned(),
         };
         let whole = adapted.unwrap_or(whole);
@@ -71,7 +75,13 @@ impl GemShown {
                 picture.shown_with(gain)
             }
         };
-        let words = tr!("{seen}; of the picture {share_too_bright} % is brighter and {share_outside} % purer than a screen can show", seen, share_too_bright = fixed(100.0 * shown.share_too_bright, 1), share_outside = fixed(100.0 * shown.share_outside, 1));
+        let words = tr!(
+            "{seen}; of the picture {brighter} % is brighter and {purer} % purer than a screen \
+             can show",
+            seen,
+            brighter = fixed(100.0 * shown.share_too_bright, 1),
+            purer = fixed(100.0 * shown.share_outside, 1)
+        );
         Ok(Self {
             size: whole.size,
             pixels: shown.pixels,

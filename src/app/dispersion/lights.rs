@@ -77,7 +77,12 @@ impl Beside {
                 let mut beside = document.second.iter().chain(&document.overlays);
                 let light = beside.find(|entry| entry.kind() == Kind::Light);
                 Some(light.map_or_else(
-                    || Err(said!("There is no second light yet: choose one with + Compare.").to_owned()),
+                    || {
+                        Err(
+                            said!("There is no second light yet: choose one with + Compare.")
+                                .to_owned(),
+                        )
+                    },
                     |entry| another_light(app, entry, sent),
                 ))
             }

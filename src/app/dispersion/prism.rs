@@ -1,6 +1,5 @@
 //! The bench as a person sees it: what it does in a sentence, its drawing, the screen, the lines.
 
-use crate::languages::{fixed, signed};
 use super::{
     drawing::BenchDrawing,
     lights::document_light,
@@ -9,7 +8,8 @@ use super::{
 };
 use crate::{
     app::{pages::PrismMemory, state::App},
-    io::many::{capitalised, many},
+    io::many::capitalised,
+    languages::{fixed, signed},
     optics::{
         Bench, BenchError, BenchSettings, Incidence, Landing, Light, Limits, Material, Screen,
         Strip, prism_csv,
@@ -130,12 +130,18 @@ impl PrismShown {
             Some(Limits {
                 smallest_incidence_deg: Some(smallest),
                 ..
-            }) => tr!("Total reflection: no light leaves the second face. Let it meet the prism at more \
-                 than {smallest}\u{b0}.", smallest = fixed(smallest, 1)),
+            }) => tr!(
+                "Total reflection: no light leaves the second face. Let it meet the prism at more \
+                 than {angle}\u{b0}.",
+                angle = fixed(smallest, 1)
+            ),
             Some(Limits {
                 largest_apex_deg, ..
-            }) => tr!("Total reflection: no light leaves the second face. Make the apex smaller than \
-                 {largest_apex_deg}\u{b0}.", largest_apex_deg = fixed(largest_apex_deg, 1)),
+            }) => tr!(
+                "Total reflection: no light leaves the second face. Make the apex smaller than \
+                 {angle}\u{b0}.",
+                angle = fixed(largest_apex_deg, 1)
+            ),
         };
         let is_reflected = why.reflected_beyond().is_some();
         Self {
@@ -235,27 +241,58 @@ fn notes(bench: &Bench, is_doubtful: bool) -> Vec<String> {
     let on_face = 0.5 * settings.slit_mm / bench.prism().incidence_deg().to_radians().cos();
     if on_face > settings.entry_mm {
         notes.push(
-            said!("The beam is wider than the prism: what passes beside its apex is counted as if the \
-             prism went on.")
-                .to_owned(),
+            said!(
+                "The beam is wider than the prism: what passes beside its apex is counted as if \
+                 the prism went on."
+            )
+            .to_owned(),
         );
     }
     if is_doubtful {
-        notes.push(tr!("Hatched: the index of {material} outside the range it was published for.", material = bench.material().name));
+        notes.push(tr!(
+            "Hatched: the index of {material} outside the range it was published for.",
+            material = crate::languages::translated(&bench.material().name)
+        ));
     }
     notes
 }
 
 /// Every figure of a wavelength, a sentence.
 fn told(at: &Landing) -> String {
-    let least = at
-        .minimum_deviation_deg
-        .map_or_else(String::new, |least| tr!(" (at least {least}\u{b0})", least = fixed(least, 3)));
-    tr!("{at_nm} nm: n {n}, turned by {deviation_deg}\u{b0}{least}, {d_deviation_d_nm}\u{b0} a nm; {transmittance} % pass; it lands \
-         at {x_mm} mm, {width_mm} mm wide; {limit}.", at_nm = fixed(at.at_nm, 1), n = fixed(at.n, 5), deviation_deg = fixed(at.deviation_deg, 3), least, d_deviation_d_nm = signed(at.d_deviation_d_nm, 4), transmittance = fixed(100.0 * at.transmittance, 1), x_mm = fixed(at.x_mm, 2), width_mm = fixed(at.width_mm, 3), limit = told_apart(at).map_or_else(
-            || said!("no lines are told apart").to_owned(),
-            |apart| tr!("lines {apart} nm apart are told apart (resolving power {power}, by the {limit})", apart = fixed(apart, 2), power = fixed(at.resolving.power(), 0), limit = at.resolving.limit())
-        ))
+    let least = at.minimum_deviation_deg.map_or_else(String::new, |least| {
+        tr!(" (at least {least}\u{b0})", least = fixed(least, 3))
+    });
+    let told_apart = match told_apart(at) {
+        None => said!("no lines are told apart").to_owned(),
+        Some(apart) => {
+            let (apart, power) = (fixed(apart, 2), fixed(at.resolving.power(), 0));
+            match at.resolving.limit() {
+                GLASS => tr!(
+                    "lines {apart} nm apart are told apart (resolving power {power}, by the glass)",
+                    apart,
+                    power
+                ),
+                _ => tr!(
+                    "lines {apart} nm apart are told apart (resolving power {power}, by the slit)",
+                    apart,
+                    power
+                ),
+            }
+        }
+    };
+    tr!(
+        "{place} nm: n {index}, turned by {angle}\u{b0}{least}, {change}\u{b0} a nm; {passes} % \
+         pass; it lands at {landing} mm, {width} mm wide; {told_apart}.",
+        place = fixed(at.at_nm, 1),
+        index = fixed(at.n, 5),
+        angle = fixed(at.deviation_deg, 3),
+        least,
+        change = signed(at.d_deviation_d_nm, 4),
+        passes = fixed(100.0 * at.transmittance, 1),
+        landing = fixed(at.x_mm, 2),
+        width = fixed(at.width_mm, 3),
+        told_apart
+    )
 }
 
 /// Two lines nearer than this run together, nm; `None` where the glass does not spread light.
@@ -308,40 +345,82 @@ fn sentence(
     let bent: Vec<f64> = (380..=780).filter_map(|nm| bends(f64::from(nm))).collect();
     let least = bent.iter().copied().fold(f64::INFINITY, f64::min);
     let most = bent.iter().copied().fold(0.0, f64::max);
-    let spreads = tr!("A {apex_deg}\u{b0} prism of {glass} spreads {light} over {least}\u{b0}", apex_deg = fixed(bench.prism().apex_deg(), 0), glass, light = light.name, least = fixed(most - least, 1));
+    let spreads = tr!(
+        "A {apex}\u{b0} prism of {glass} spreads {light} over {angle}\u{b0}",
+        apex = fixed(bench.prism().apex_deg(), 0),
+        glass,
+        light = light.name,
+        angle = fixed(most - least, 1)
+    );
     let seen: Vec<Landing> = landings
         .iter()
         .filter_map(|(_, landing)| *landing)
         .collect();
     let count = match seen.len() {
         0 => return tr!("{spreads}: no line, one smooth band.", spreads),
-        1 => return tr!("{spreads}; its line of {nm} is one ray.", spreads, nm = nm(seen[0].at_nm)),
-        count => many(count, "line", "lines"),
+        1 => {
+            return tr!(
+                "{spreads}; its line of {place} is one ray.",
+                spreads,
+                place = nm(seen[0].at_nm)
+            );
+        }
+        count => count,
     };
     let images: Vec<[f64; 2]> = seen.iter().map(|l| [l.x_mm, l.width_mm]).collect();
-    let pair = |i: usize| tr!("{at_nm} with {nm}", at_nm = fixed(seen[i].at_nm, 1), nm = nm(seen[i + 1].at_nm));
+    let pair = |i: usize| {
+        tr!(
+            "{first} with {second}",
+            first = fixed(seen[i].at_nm, 1),
+            second = nm(seen[i + 1].at_nm)
+        )
+    };
     let together: Vec<String> = touching(&images).into_iter().map(pair).collect();
     match together.len() {
-        0 => tr!("{spreads}; its {count} all stand apart.", spreads, count),
-        n if n + 1 == seen.len() => tr!("{spreads}; its {count} all run together.", spreads, count),
-        _ => tr!("{spreads}; of its {count} {listed} runs together, the others stand apart.", spreads, count, listed = listed(&together)),
+        0 => tr!(
+            "{spreads}; its {count} lines all stand apart.",
+            spreads,
+            count
+        ),
+        n if n + 1 == seen.len() => {
+            tr!(
+                "{spreads}; its {count} lines all run together.",
+                spreads,
+                count
+            )
+        }
+        _ => tr!(
+            "{spreads}; of its {count} lines {pairs} runs together, the others stand apart.",
+            spreads,
+            count,
+            pairs = listed(&together)
+        ),
     }
 }
 
+/// The word of what limits the resolving power where that is not the slit.
+const GLASS: &str = "glass";
+
 /// A line's figures in the order of the table.
 fn row(line: &Line, landing: Option<&Landing>) -> Vec<String> {
-    let mut cells = vec![line.name.clone(), format!("{:.2}", line.at_nm)];
+    let mut cells = vec![line.name.clone(), fixed(line.at_nm, 2)];
     match landing {
         Some(at) => {
             cells.extend([
-                format!("{:.5}", at.n),
-                format!("{:.3}", at.deviation_deg),
-                format!("{:.3}", at.x_mm),
-                format!("{:.3}", at.width_mm),
-                format!("{:.1}", 100.0 * at.transmittance),
+                fixed(at.n, 5),
+                fixed(at.deviation_deg, 3),
+                fixed(at.x_mm, 3),
+                fixed(at.width_mm, 3),
+                fixed(100.0 * at.transmittance, 1),
                 told_apart(at).map_or_else(
                     || "-".to_owned(),
-                    |apart| format!("{apart:.2} ({})", at.resolving.limit()),
+                    |apart| {
+                        let limit = match at.resolving.limit() {
+                            GLASS => said!("glass"),
+                            _ => said!("slit"),
+                        };
+                        format!("{} ({limit})", fixed(apart, 2))
+                    },
                 ),
             ]);
         }
@@ -355,6 +434,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{Command, Settings, assert_says, dispersion::Substance},
+        io::many::many,
         optics::BuiltinMaterial,
     };
 

@@ -1,6 +1,5 @@
 //! The rainbow of a light: two bows, in which every line is a stripe of its own.
 
-use crate::languages::fixed;
 use super::{
     drop::DropDrawing,
     lights::document_light,
@@ -14,7 +13,7 @@ use crate::{
         pages::RainbowMemory,
         state::App,
     },
-    io::many::many,
+    languages::fixed,
     optics::{Bows, BuiltinMaterial, Light, SKY_DEG, SUN_DEG, Sky},
 };
 
@@ -105,15 +104,23 @@ fn table(bows: &[(Line, Bows)]) -> Table {
         |secondary: bool| move |(_, bows): &&(Line, Bows)| rounded(angle(bows, secondary), 3, "-");
     let columns = Columns::<&(Line, Bows)>::default()
         .with("line", |(line, _)| cell(line.name.as_str()))
-        .titled("line", said!("The element, by all lines together."))
-        .with("wavelength", |(line, _)| cell(nm(line.at_nm)))
-        .figures("wavelength", said!("In air."))
+        .titled(said!("line"), said!("The element, by all lines together."))
+        .with("wavelength", |(line, _)| {
+            cell(format!("{:.1} nm", line.at_nm)).shown(nm(line.at_nm))
+        })
+        .figures(said!("wavelength"), said!("In air."))
         .with("n", |(_, bows)| rounded(bows.n, 5, "-"))
         .figures("n", said!("Index of refraction of water there."))
         .with("first_bow_deg", angle_of(false))
-        .figures("first bow \u{b0}", said!("After one reflection in the drop."))
+        .figures(
+            said!("first bow \u{b0}"),
+            said!("After one reflection in the drop."),
+        )
         .with("second_bow_deg", angle_of(true))
-        .figures("second bow \u{b0}", said!("After two reflections in the drop."))
+        .figures(
+            said!("second bow \u{b0}"),
+            said!("After two reflections in the drop."),
+        )
         .with("polarised_percent", |(_, bows)| {
             rounded(bows.primary.map(|bow| 100.0 * bow.polarisation()), 1, "-")
         })
@@ -136,8 +143,13 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
     };
     if bows.is_empty() {
         // Violet and red where the eye still sees them well.
-        return tr!("{name} makes a smooth rainbow from violet at {at}\u{b0} to red at {at_2}\u{b0}, and \
-             the second bow the other way round.", name, at = fixed(at(420.0, false), 1), at_2 = fixed(at(680.0, false), 1));
+        return tr!(
+            "{light} makes a smooth rainbow from violet at {violet}\u{b0} to red at {red}\u{b0}, \
+             and the second bow the other way round.",
+            light = name,
+            violet = fixed(at(420.0, false), 1),
+            red = fixed(at(680.0, false), 1)
+        );
     }
     let width = if disc { SUN_DEG } else { 0.0 };
     let stripes = |secondary: bool| {
@@ -147,13 +159,23 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
             .collect();
         places.len() - touching(&places).len()
     };
-    tr!("If {name} were the sun, its {lines} would show as {stripes} in the first rainbow and {stripes_2} in the second.", name, lines = many(bows.len(), "line", "lines"), stripes = many(stripes(false), "stripe", "stripes"), stripes_2 = stripes(true))
+    tr!(
+        "If {light} were the sun, its {lines} would show as {stripes} in the first rainbow and \
+         {second} in the second.",
+        light = name,
+        lines = tr!("{n} line" | "{n} lines" % bows.len()),
+        stripes = tr!("{n} stripe" | "{n} stripes" % stripes(false)),
+        second = stripes(true)
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{assert_says, showing};
+    use crate::{
+        app::{assert_says, showing},
+        io::many::many,
+    };
 
     #[test]
     fn every_line_has_a_stripe_in_both_bows() {

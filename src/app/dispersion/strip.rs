@@ -1,10 +1,10 @@
 //! From the light in columns to the colours of a screen.
 
-use crate::languages::fixed;
 use super::sent::Sent;
 use crate::{
     app::chart::Rgb,
     color::{Observer, Srgb, Xyz},
+    languages::fixed,
     optics::{Light, into_gamut},
 };
 
@@ -86,11 +86,15 @@ impl Colours {
         let mut said = Vec::new();
         if self.mixed > 0.0 {
             said.push(
-                said!("These colours are purer than a screen can show, so white is mixed in.").to_owned(),
+                said!("These colours are purer than a screen can show, so white is mixed in.")
+                    .to_owned(),
             );
         }
         if self.too_bright > 0.0 {
-            said.push(tr!("{too_bright} % of it is brighter than the screen at this exposure.", too_bright = fixed(100.0 * self.too_bright, 0)));
+            said.push(tr!(
+                "{share} % of it is brighter than the screen at this exposure.",
+                share = fixed(100.0 * self.too_bright, 0)
+            ));
         }
         // Beside a measured line so little may be left that it is below zero: that is no dark place.
         if self.below_zero && sent == Sent::Model {

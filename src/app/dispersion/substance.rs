@@ -1,7 +1,6 @@
 //! What a prism or a gem is made of: a material of the program, an index that was opened, or two
 //! numbers.
 
-use crate::languages::fixed;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -9,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     app::{entry::Entry, pages::knob::Reach, state::App},
     io::many::capitalised,
+    languages::fixed,
     optics::{BuiltinMaterial, IndexError, Material},
     spectrum::{Kind, NamedSpectrum},
 };
@@ -82,7 +82,13 @@ impl Substance {
     /// The same in a sentence: "diamond", "a glass of n 1.5168 and V 64.2".
     pub fn in_words(&self, app: &App) -> String {
         match self {
-            Self::Numbers { n_d, v_d } => tr!("two numbers (n {n_d}, V {v_d})", n_d = fixed(n_d, 4), v_d = fixed(v_d, 1)),
+            Self::Numbers { n_d, v_d } => {
+                tr!(
+                    "two numbers (n {n_d}, V {v_d})",
+                    n_d = fixed(n_d, 4),
+                    v_d = fixed(v_d, 1)
+                )
+            }
             _ => {
                 let title = self.title(app);
                 title.split(',').next().unwrap_or_default().to_owned()
@@ -101,9 +107,11 @@ impl Substance {
             Self::Own { index } => {
                 let entry = app.entry(index).filter(|entry| is_index(&entry.spectrum));
                 let entry = entry.ok_or_else(|| {
-                    said!("The file of this material's index is not open: open it again, or choose \
-                     another material.")
-                        .to_owned()
+                    said!(
+                        "The file of this material's index is not open: open it again, or choose \
+                         another material."
+                    )
+                    .to_owned()
                 })?;
                 let own = app.document().own.iter().map(|entry| &entry.spectrum);
                 material_of(&entry.spectrum, own).map_err(said)
@@ -135,7 +143,7 @@ pub fn is_index(spectrum: &NamedSpectrum) -> bool {
 /// "glass" of "glass n" and of "glass n by formula 2".
 fn stem_of(name: &str) -> Option<&str> {
     let before = |mark: &str| name.split_once(mark).map(|(stem, _)| stem);
-    before(said!(" n by ")).or_else(|| name.strip_suffix(" n"))
+    before(" n by ").or_else(|| name.strip_suffix(" n"))
 }
 
 /// What the curve is of: a column that is named "n" alone is of what its file is called after.

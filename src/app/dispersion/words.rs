@@ -1,8 +1,10 @@
 //! Words that the three pages share.
 
-use crate::languages::fixed;
 use super::super::products::ModelledLight;
-use crate::{app::state::App, optics::Light};
+use crate::{
+    languages::fixed,
+    {app::state::App, optics::Light},
+};
 
 /// A spike of a light with what it is called.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +45,7 @@ pub(super) fn first_lines() -> (Light, Vec<Line>) {
 
 /// A wavelength with its unit.
 pub(super) fn nm(at_nm: f64) -> String {
-    tr!("{at_nm} nm", at_nm = fixed(at_nm, 1))
+    format!("{} nm", fixed(at_nm, 1))
 }
 
 /// "a, b and c".
@@ -51,7 +53,7 @@ pub(super) fn listed(all: &[String]) -> String {
     match all {
         [] => String::new(),
         [one] => one.clone(),
-        [before @ .., last] => tr!("{join} and {last}", join = before.join(", "), last),
+        [before @ .., last] => tr!("{list} and {last}", list = before.join(", "), last),
     }
 }
 

@@ -75,6 +75,26 @@ pub struct Figure {
 pub const SMALLEST: f64 = 1e-4;
 
 impl Figure {
+    /// In menus and over charts, in the language spoken.
+    pub fn title(&self) -> &'static str {
+        said(self.title)
+    }
+
+    /// Over a narrow column, in the language spoken.
+    pub fn short(&self) -> &'static str {
+        said(self.short)
+    }
+
+    /// Definition, in the language spoken.
+    pub fn meaning(&self) -> &'static str {
+        said(self.meaning)
+    }
+
+    /// The error that is meant, in the language spoken.
+    pub fn goal(&self) -> &'static str {
+        said(self.goal)
+    }
+
     /// A value in the unit.
     pub fn shown(&self, value: f64) -> f64 {
         value * self.unit.factor

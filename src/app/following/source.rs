@@ -13,7 +13,6 @@ use crate::{
         stream::{ITS_NAME, is_standard_input, is_stream},
         why_unopened,
     },
-    languages::said,
     measurements::Instrument,
     streams::{
         FileSource, FolderSource, Lines, ListenError, Pace, Reach, Replay, Source, listen, piped,

@@ -99,6 +99,21 @@ impl<T> Knob<T> {
         }
     }
 
+    /// The control's name in the language spoken.
+    pub fn title(&self) -> &'static str {
+        said(self.title)
+    }
+
+    /// A sentence about it, in the language spoken.
+    pub fn meaning(&self) -> &'static str {
+        said(self.meaning)
+    }
+
+    /// What stands behind the number, in the language spoken.
+    pub fn unit(&self) -> &'static str {
+        said(self.unit)
+    }
+
     pub fn get(&self, value: &mut T) -> f64 {
         (self.of)(value).get()
     }

@@ -12,6 +12,7 @@ use crate::{
         studies::Patches,
     },
     color::{Adaptation, Observer},
+    languages::translated,
     spectrum::Band,
 };
 
@@ -61,7 +62,9 @@ pub const CLIENTS_TABLES: [&str; CLIENTS.len()] = {
 impl Board {
     /// The eight surfaces that a client asks for.
     pub(super) fn for_clients(lights: &[(&Entry, &Side)], adaptation: Adaptation) -> Self {
-        Self::of(lights, &CLIENTS_SURFACES, adaptation)
+        let (names, tables) = &*CLIENTS_SURFACES;
+        let names = names.iter().map(|name| translated(name).into_owned());
+        Self::of(lights, &(names.collect(), tables.clone()), adaptation)
     }
 
     /// The surfaces of a document, by their hues under the reference, greys last.

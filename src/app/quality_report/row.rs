@@ -35,7 +35,9 @@ impl Row {
 
 /// Every figure that a screen shows, in the order of a report.
 pub fn rows(figures: &Figures) -> Vec<Row> {
-    let shown = OF_QUALITY.iter().filter(|row| !row.figure.title.is_empty());
+    let shown = OF_QUALITY
+        .iter()
+        .filter(|row| !row.figure.title().is_empty());
     let of_this = shown.filter(|row| (row.applies)(figures));
     of_this
         .map(|row| {

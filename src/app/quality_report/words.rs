@@ -99,7 +99,7 @@ fn lines(measured: &Figures, model: &Figures) -> Vec<Line> {
             .iter()
             .find(|other| other.figure.key == row.figure.key);
         lines.push([
-            row.figure.title.to_owned(),
+            row.figure.title().to_owned(),
             row.shown(),
             other.map_or_else(|| DASH.to_owned(), Row::shown),
             match row.value {

@@ -186,14 +186,14 @@ pub fn peer_rows(peers: &[Peer]) -> (Rows, String) {
     let rows = peers.iter().map(|peer| {
         let (error, lights) = (peer.error.as_ref(), peer.lights());
         vec![
-            peer.name.to_owned(),
+            crate::languages::said(peer.name).to_owned(),
             peer.numbers.to_string(),
             peer.bytes.map_or("–".to_owned(), bytes_words),
             number(error.map(|e| e.own.p95)),
             number(lights.map(|s| s.mean)),
             number(lights.map(|s| s.p95)),
             number(error.map(|e| 100.0 * e.relative_rms)),
-            peer.description.clone(),
+            crate::languages::translated(&peer.description).into_owned(),
         ]
     });
     (rows.collect(), nearest(peers))
@@ -221,9 +221,9 @@ fn nearest(peers: &[Peer]) -> String {
                ΔE₀₀ {off}) and {spectra} in the spectra (rms {rms} %)."
                 % run().count(),
         numbers = colour.numbers,
-        colour = colour.name,
+        colour = crate::languages::said(colour.name),
         off = fixed(off(colour), 2),
-        spectra = spectra.name,
+        spectra = crate::languages::said(spectra.name),
         rms = fixed(100.0 * rms(spectra), 2)
     )
 }

@@ -93,7 +93,7 @@ pub fn absolute(light: &Light, measured: Option<Measured>) -> Result<Absolute, N
         Ok(found)
     } else {
         Err(NoFigure::OutOfRange {
-            what: "the values are too large for a sum",
+            what: later!("the values are too large for a sum"),
         })
     }
 }

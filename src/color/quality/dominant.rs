@@ -48,7 +48,7 @@ pub(crate) fn dominant(xy: [f64; 2]) -> Result<Dominant, NoFigure> {
         return Err(NoFigure::NearWhite { distance });
     }
     let no_border = || NoFigure::OutOfRange {
-        what: "the ray from the white does not meet the locus",
+        what: later!("the ray from the white does not meet the locus"),
     };
     if let Some((nm, reach)) = on_locus(away) {
         let nm = if nm < VIOLET_END_NM {

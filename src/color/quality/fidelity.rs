@@ -64,7 +64,7 @@ pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
     let (tests, test_white) = colours.under(light)?;
     let (references, reference_white) = colours.under(&Light::of_nm_values(&reference.on_nm()))?;
     let too_narrow = || NoFigure::OutOfRange {
-        what: "no eye adapts to a light that leaves one of its signals dark",
+        what: later!("no eye adapts to a light that leaves one of its signals dark"),
     };
     let scale = FidelityScale::new(references.iter().copied(), reference_white);
     let scale = scale.ok_or_else(too_narrow)?;
@@ -91,10 +91,10 @@ pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
     }
     if !total.is_finite() {
         return Err(NoFigure::OutOfRange {
-            what: "a sample has no appearance under this light",
+            what: later!("a sample has no appearance under this light"),
         });
     }
-    positive(scale.area, "area of the reference's gamut")?;
+    positive(scale.area, later!("area of the reference's gamut"))?;
     let means = sums.map(BinSum::mean);
     Ok(Fidelity {
         rf: index_of(total / SAMPLES as f64),
@@ -223,7 +223,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
             first_nm: SAMPLES_FIRST_NM,
             rows,
             observer: Observer::CIE_1964,
-            luminous_sum: "sum with the 10° luminosity function",
+            luminous_sum: later!("sum with the 10° luminosity function"),
         },
     }
 });

@@ -1,7 +1,11 @@
 //! Every figure of one light.
 
-use crate::color::{
-    Cct, Observer, Xyz, cct::cct_from_xyz, uv_1976_from_xyz, xy_from_xyz, xyz::xyz_from_nm_values,
+use crate::{
+    color::{
+        Cct, Observer, Xyz, cct::cct_from_xyz, uv_1976_from_xyz, xy_from_xyz,
+        xyz::xyz_from_nm_values,
+    },
+    languages::fixed,
 };
 
 use super::{
@@ -98,7 +102,7 @@ impl Figures {
         ) -> Result<T, NoFigure> {
             match is_wanted {
                 true => of(),
-                false => Err(NoFigure::LeftOut("not asked for")),
+                false => Err(NoFigure::LeftOut(later!("not asked for"))),
             }
         }
         let others = parts.others;
@@ -150,46 +154,55 @@ impl Figures {
         }
         let negatives = light.negatives();
         if negatives > 0 {
-            notes.push(format!(
-                "{negatives} of the values on whole nm are negative and were used as they are"
+            notes.push(tr!(
+                "{negatives} of the values on whole nm are negative and were used as they are",
+                negatives
             ));
         }
         let [first_nm, last_nm] = light.ends_nm();
         // What the luminosity function weighs outside is below 1e-4 of its whole.
         if first_nm > 380 || last_nm < 780 {
-            notes.push(format!(
-                "the light is known from {first_nm} to {last_nm} nm only; what is missing of 380-780 nm counts as zero"
+            notes.push(tr!(
+                "the light is known from {first_nm} to {last_nm} nm only; what is missing of \
+                 380-780 nm counts as zero",
+                first_nm,
+                last_nm
             ));
         }
         if let Ok(found) = &self.rendering
             && found.is_too_far()
         {
-            notes.push(format!(
-                "Ra: the colour is {:.4} from its reference in CIE 1960 uv; CIE 13.3 vouches for its index within 0.0054",
-                found.distance
+            notes.push(tr!(
+                "Ra: the colour is {distance} from its reference in CIE 1960 uv; CIE 13.3 vouches \
+                 for its index within 0.0054",
+                distance = fixed(found.distance, 4)
             ));
         }
         if let Ok(found) = &self.fidelity {
             let empty = found.bins.iter().filter(|bin| bin.is_none()).count();
             if empty > 0 {
-                notes.push(format!(
-                    "{empty} of the 16 hue bins hold no sample under this reference"
+                notes.push(tr!(
+                    "{empty} of the 16 hue bins hold no sample under this reference",
+                    empty
                 ));
             }
         }
         if let Ok(cct) = &self.cct
             && cct.kelvin > DAYLIGHT_TO_K
         {
-            notes.push(format!(
-                "the formula of the daylight reference is stated up to {DAYLIGHT_TO_K} K and was used at {:.0} K",
-                cct.kelvin
+            notes.push(tr!(
+                "the formula of the daylight reference is stated up to {most} K and was used at \
+                 {kelvin} K",
+                most = fixed(DAYLIGHT_TO_K, 0),
+                kelvin = fixed(cct.kelvin, 0)
             ));
         }
         if let Ok(found) = &self.dominant
             && found.purity > 1.0 + 1e-6
         {
             notes.push(
-                "purity above 1: negative values take the colour beyond the locus".to_owned(),
+                said!("purity above 1: negative values take the colour beyond the locus")
+                    .to_owned(),
             );
         }
         notes
@@ -215,9 +228,9 @@ impl FewFigures {
 /// XYZ with Y = 100.
 fn xyz_of(light: &Light, observer: Observer) -> Result<Xyz, NoFigure> {
     let sums = sums_of(light.lit()?, observer);
-    positive(sums.y, "sum with the luminosity function")?;
+    positive(sums.y, later!("sum with the luminosity function"))?;
     sums.with_y(100.0).ok_or(NoFigure::OutOfRange {
-        what: "the sums with the colour-matching functions",
+        what: later!("the sums with the colour-matching functions"),
     })
 }
 
@@ -244,13 +257,13 @@ fn chromaticity(light: &Light, observer: Observer) -> Result<[f64; 2], NoFigure>
     let sums = sums_of(light, observer);
     positive(sums.x + sums.y + sums.z, "X + Y + Z")?;
     xy_from_xyz(sums).ok_or(NoFigure::OutOfRange {
-        what: "the sums with the colour-matching functions",
+        what: later!("the sums with the colour-matching functions"),
     })
 }
 
 fn uv_of(xyz: Xyz) -> Result<[f64; 2], NoFigure> {
     uv_1976_from_xyz(xyz).ok_or(NoFigure::OutOfRange {
-        what: "X + 15 Y + 3 Z is not positive",
+        what: later!("X + 15 Y + 3 Z is not positive"),
     })
 }
 

@@ -22,7 +22,7 @@ const SCOTOPIC_LUMENS_PER_WATT: f64 = 1700.06;
 /// Luminous efficacy of radiation.
 pub(crate) const EFFICACY: Single = Single {
     key: "ler",
-    title: "Luminous efficacy of radiation",
+    title: later!("Luminous efficacy of radiation"),
     unit: "lm/W",
     digits: 1,
     method: "683 sum(P V) / sum(P), 360-830 nm",
@@ -32,21 +32,21 @@ pub(crate) const EFFICACY: Single = Single {
 /// Scotopic over photopic.
 pub(crate) const SP_RATIO: Single = Single {
     key: "sp_ratio",
-    title: "S/P ratio",
+    title: later!("S/P ratio"),
     unit: "",
     digits: 2,
     method: "1700.06 sum(P V') / 683.002 sum(P V)",
     of: sp_ratio,
 };
 
-const SUM_WITH_V: &str = "sum with V(λ)";
+const SUM_WITH_V: &str = later!("sum with V(λ)");
 
 /// Luminous efficacy of radiation over 360-830 nm, lm/W: `683 sum(P V) / sum(P)`.
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or a sum is not positive.
 pub(crate) fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
-    let power = positive(light.lit()?.power(), "sum of the values")?;
+    let power = positive(light.lit()?.power(), later!("sum of the values"))?;
     Ok(LUMENS_PER_WATT_ROUNDED * luminous_sum(light)? / power)
 }
 

@@ -6,7 +6,10 @@
 
 use std::{fmt, sync::LazyLock};
 
-use crate::color::{blackbody::C2_M_K, observer::Observer};
+use crate::{
+    color::{blackbody::C2_M_K, observer::Observer},
+    languages::fixed,
+};
 
 use super::{
     light::{FIRST_NM, LAST_NM, POINTS},
@@ -73,13 +76,17 @@ impl Reference {
 impl fmt::Display for Reference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Planck { kelvin } => write!(f, "blackbody of {kelvin:.0} K"),
-            Self::Daylight { kelvin } => write!(f, "daylight of {kelvin:.0} K"),
-            Self::Mixed { kelvin, daylight } => write!(
-                f,
-                "blackbody and {:.0} % daylight of {kelvin:.0} K",
-                100.0 * daylight
-            ),
+            Self::Planck { kelvin } => {
+                f.write_str(&tr!("blackbody of {kelvin} K", kelvin = fixed(kelvin, 0)))
+            }
+            Self::Daylight { kelvin } => {
+                f.write_str(&tr!("daylight of {kelvin} K", kelvin = fixed(kelvin, 0)))
+            }
+            Self::Mixed { kelvin, daylight } => f.write_str(&tr!(
+                "blackbody and {share} % daylight of {kelvin} K",
+                share = fixed(100.0 * daylight, 0),
+                kelvin = fixed(kelvin, 0)
+            )),
         }
     }
 }

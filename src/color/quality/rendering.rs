@@ -28,21 +28,21 @@ pub(crate) const RENDERING_SAMPLES: usize = 15;
 
 /// Appearance of the test colours in daylight; the last is the skin complexion of JIS Z 8726.
 pub(crate) const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
-    "light greyish red",
-    "dark greyish yellow",
-    "strong yellow green",
-    "moderate yellowish green",
-    "light bluish green",
-    "light blue",
-    "light violet",
-    "light reddish purple",
-    "strong red",
-    "strong yellow",
-    "strong green",
-    "strong blue",
-    "light skin",
-    "leaf green",
-    "medium skin",
+    later!("light greyish red"),
+    later!("dark greyish yellow"),
+    later!("strong yellow green"),
+    later!("moderate yellowish green"),
+    later!("light bluish green"),
+    later!("light blue"),
+    later!("light violet"),
+    later!("light reddish purple"),
+    later!("strong red"),
+    later!("strong yellow"),
+    later!("strong green"),
+    later!("strong blue"),
+    later!("light skin"),
+    later!("leaf green"),
+    later!("medium skin"),
 ];
 
 /// Step of the tables of test colours, nm.
@@ -118,7 +118,7 @@ pub fn rendering(light: &Light, cct: Cct) -> Result<Rendering, NoFigure> {
     let (references, reference_white) =
         TEST_COLOURS.under(&Light::of_nm_values(&reference.on_nm()))?;
     let out = || NoFigure::OutOfRange {
-        what: "a test colour has no chromaticity under this light",
+        what: later!("a test colour has no chromaticity under this light"),
     };
     let scale = RenderingScale::new(references.iter().copied(), reference_white);
     let scale = scale.ok_or_else(out)?;
@@ -236,7 +236,7 @@ static TEST_COLOURS: LazyLock<TestColours> = LazyLock::new(|| {
         first_nm: FIRST_NM,
         rows: classic.chain([table("CIE 2024: TCS15")]).collect(),
         observer: Observer::CIE_1931,
-        luminous_sum: "sum with V(λ)",
+        luminous_sum: later!("sum with V(λ)"),
     }
 });
 

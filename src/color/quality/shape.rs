@@ -49,7 +49,8 @@ pub fn shape(light: &Light) -> Result<Shape, NoFigure> {
         .map(|(v, nm)| v * f64::from(nm))
         .chain(light.lines().iter().map(|l| l.weight * l.at_nm))
         .sum();
-    let centroid_nm = positive(light.power(), "sum of the values").map(|power| moment / power);
+    let centroid_nm =
+        positive(light.power(), later!("sum of the values")).map(|power| moment / power);
     let heaviest = light
         .lines()
         .iter()
@@ -72,7 +73,7 @@ pub fn shape(light: &Light) -> Result<Shape, NoFigure> {
         .fold((0, f64::NEG_INFINITY), |best, (i, v)| {
             if *v > best.1 { (i, *v) } else { best }
         });
-    let highest = match positive(highest, "value") {
+    let highest = match positive(highest, later!("value")) {
         Ok(highest) => highest,
         Err(no) => {
             return Ok(Shape {

@@ -86,7 +86,7 @@ impl SimilarityBands {
             add_at(&mut bands, below, (1.0 - beyond) * line.weight);
             add_at(&mut bands, below + 1.0, beyond * line.weight);
         }
-        Self::of_sums(bands, "sum of 375-675 nm")
+        Self::of_sums(bands, later!("sum of 375-675 nm"))
     }
 
     fn of_sums(mut bands: [f64; BANDS], sum: &'static str) -> Result<Self, NoFigure> {

@@ -37,7 +37,7 @@ impl Channel {
             (Source::Named(name), None) => {
                 return Err(MixError::Spec {
                     found: name.clone(),
-                    expected: "a light that is known".to_owned(),
+                    expected: said!("a light that is known").to_owned(),
                 });
             }
         };

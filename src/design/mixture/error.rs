@@ -7,7 +7,10 @@ pub(crate) const MOST_CHANNELS: usize = 128;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MixError {
     /// A channel's words are not of a form that is known.
-    #[error("channel: expected {expected}, found {found:?}")]
+    #[error(
+        "{}",
+        tr!("channel: expected {expected}, found {found}", expected, found = format!("{found:?}"))
+    )]
     Spec {
         /// The words.
         found: String,
@@ -15,19 +18,28 @@ pub enum MixError {
         expected: String,
     },
     /// A light of a channel has no power in 360-830 nm, or less than none.
-    #[error("channel {spec:?}: expected a light with power in 360-830 nm, found none")]
+    #[error(
+        "{}",
+        tr!(
+            "channel {spec}: expected a light with power in 360-830 nm, found none",
+            spec = format!("{spec:?}")
+        )
+    )]
     NoPower {
         /// The channel.
         spec: String,
     },
     /// No channel, or too many.
-    #[error("channels: expected 1 to {}, found {found}", MOST_CHANNELS)]
+    #[error(
+        "{}",
+        tr!("channels: expected 1 to {most}, found {found}", most = MOST_CHANNELS, found)
+    )]
     Channels {
         /// The number found.
         found: usize,
     },
     /// A target that is no colour.
-    #[error("target: expected {expected}, found {found}")]
+    #[error("{}", tr!("target: expected {expected}, found {found}", expected, found))]
     Target {
         /// The target found.
         found: String,
@@ -35,7 +47,10 @@ pub enum MixError {
         expected: String,
     },
     /// A floor or a figure that is not known.
-    #[error("expected {expected}, found {found:?}")]
+    #[error(
+        "{}",
+        tr!("expected {expected}, found {found}", expected, found = format!("{found:?}"))
+    )]
     Word {
         /// The word.
         found: String,

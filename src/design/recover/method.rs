@@ -36,20 +36,20 @@ impl Method {
     /// The name that people read.
     pub(crate) fn title(self) -> &'static str {
         match self {
-            Self::Smoothest => "smoothest within 0-1",
-            Self::Fourier3 => "three Fourier coefficients (Eq. 18)",
-            Self::Fourier6 => "six Fourier coefficients, two lights",
-            Self::Lines => "lines over a background",
+            Self::Smoothest => said!("smoothest within 0-1"),
+            Self::Fourier3 => said!("three Fourier coefficients (Eq. 18)"),
+            Self::Fourier6 => said!("six Fourier coefficients, two lights"),
+            Self::Lines => said!("lines over a background"),
         }
     }
 
     /// The colours it takes, in words.
     pub(super) fn colours_words(self) -> &'static str {
         match self {
-            Self::Smoothest => "a colour, or two under two lights",
-            Self::Fourier3 => "one colour",
-            Self::Fourier6 => "two colours under two lights",
-            Self::Lines => "at least one colour",
+            Self::Smoothest => said!("a colour, or two under two lights"),
+            Self::Fourier3 => said!("one colour"),
+            Self::Fourier6 => said!("two colours under two lights"),
+            Self::Lines => said!("at least one colour"),
         }
     }
 }

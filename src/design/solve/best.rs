@@ -173,8 +173,9 @@ impl Mixer<'_> {
                 None => break,
             }
         }
-        let note = Some(format!(
-            "{MOST_SETS} sets of channels were looked through; fewer than these may do"
+        let note = Some(tr!(
+            "{sets} sets of channels were looked through; fewer than these may do",
+            sets = MOST_SETS
         ));
         Best { weights, note }
     }

@@ -87,14 +87,16 @@ pub fn front(
     };
     let xyz = problem.target.xyz();
     let scales = Scales::new(xyz, tables).ok_or_else(|| {
-        refused("a colour near the blackbody locus, where Ra and Rf have a meaning")
+        refused(said!(
+            "a colour near the blackbody locus, where Ra and Rf have a meaning"
+        ))
     })?;
     let target = (xyz * 0.01).to_array();
     let search = LineSearch::new(RANGE_NM, target, problem.against, tables, &scales);
     let brightest = brightest(target).and_then(|lines| search.judged(&lines, 0.0, true));
     let course = Course {
         brightest: brightest
-            .ok_or_else(|| refused("a colour that lines of 400-700 nm can show"))?,
+            .ok_or_else(|| refused(said!("a colour that lines of 400-700 nm can show")))?,
         search,
         problem,
         progress,

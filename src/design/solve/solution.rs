@@ -15,6 +15,7 @@ use crate::{
         scales::{SampleTables, Scales, Sums, basic_sums},
         small::digits,
     },
+    languages::{self, with_sign},
 };
 
 /// Channels weighed for a problem.
@@ -239,9 +240,9 @@ impl<'a> Mixer<'a> {
                 low = middle;
             }
         }
-        let why = format!(
-            "colour and floors are met; the nearest spectrum alone is not enough: {}",
-            nearest.why
+        let why = tr!(
+            "colour and floors are met; the nearest spectrum alone is not enough: {why}",
+            why = nearest.why
         );
         self.described(between(high), problem, Some(why))
     }
@@ -290,12 +291,12 @@ impl<'a> Mixer<'a> {
         }
         let found = nearest_mix(&rows, uv, 100.0);
         let Some(found) = found else {
-            let why = "no channel has a colour".to_owned();
+            let why = said!("no channel has a colour").to_owned();
             return self.described(vec![0.0; self.channels.len()], problem, Some(why));
         };
         let mut weights = self.fixed_or(0.0);
         if is_fixed && found.weights[free.len()] <= 0.0 {
-            let why = "the fixed channels keep it from the target".to_owned();
+            let why = said!("the fixed channels keep it from the target").to_owned();
             return self.described(weights, problem, Some(why));
         }
         let scale = if is_fixed {
@@ -309,13 +310,17 @@ impl<'a> Mixer<'a> {
         // Were every channel free, a target among their colours would be met to rounding.
         let is_inside = nearest_mix(&colours, uv, 100.0).is_some_and(|all| all.distance < 1e-9);
         let outside = match is_inside {
-            true => "the fixed channels keep it from the target",
-            false => "the target lies outside the colours of these channels",
+            true => said!("the fixed channels keep it from the target"),
+            false => said!("the target lies outside the colours of these channels"),
         };
         let why = match end {
-            End::Impossible => format!("{outside}: {:.4} in u'v' from the nearest", found.distance),
+            End::Impossible => tr!(
+                "{outside}: {distance} in u'v' from the nearest",
+                outside,
+                distance = languages::fixed(found.distance, 4)
+            ),
             // Nothing is known of what these channels can do.
-            _ => format!("not solved: {end}"),
+            _ => tr!("not solved: {end}", end),
         };
         let mut solution = self.described(weights, problem, Some(why));
         solution.reached = false;
@@ -340,10 +345,13 @@ impl<'a> Mixer<'a> {
             if let Some(floor) = floor {
                 match found {
                     Some(found) if found >= floor - 1e-6 * floor.abs() => {}
-                    Some(found) => {
-                        missing.push(format!("{word} {found:.2} instead of {}", digits(floor)))
-                    }
-                    None => missing.push(format!("no {word} for this colour")),
+                    Some(found) => missing.push(tr!(
+                        "{figure} {found} instead of {floor}",
+                        figure = word,
+                        found = languages::fixed(found, 2),
+                        floor = with_sign(digits(floor))
+                    )),
+                    None => missing.push(tr!("no {figure} for this colour", figure = word)),
                 }
             }
         };
@@ -351,18 +359,22 @@ impl<'a> Mixer<'a> {
         check("Ra", problem.floors.ra, figures.ra);
         check("LER", problem.floors.ler, Some(figures.ler));
         check(
-            "melanopic DER",
+            said!("melanopic DER"),
             problem.floors.melanopic,
             Some(figures.melanopic_der),
         );
         let met = problem.target.is_none() || distance.is_some_and(|d| d < 1e-6);
         let has_floors = problem.floors != Floors::default();
         let plain = || match (problem.target.is_some(), has_floors) {
-            _ if !missing.is_empty() => format!("the best found has {}", missing.join(", ")),
-            (true, true) => "colour and floors are met".to_owned(),
-            (true, false) => "the colour is met".to_owned(),
-            (false, true) => "the floors are met".to_owned(),
-            (false, false) => "the channels as they stand: no colour was asked for".to_owned(),
+            _ if !missing.is_empty() => {
+                tr!("the best found has {figures}", figures = missing.join(", "))
+            }
+            (true, true) => said!("colour and floors are met").to_owned(),
+            (true, false) => said!("the colour is met").to_owned(),
+            (false, true) => said!("the floors are met").to_owned(),
+            (false, false) => {
+                said!("the channels as they stand: no colour was asked for").to_owned()
+            }
         };
         let why = why.unwrap_or_else(plain);
         Solution {

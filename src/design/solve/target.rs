@@ -5,6 +5,7 @@ use std::fmt;
 use crate::{
     color::{Xyz, uv_1960_from_kelvin, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy},
     design::{mixture::MixError, scales::basic_sums, small::digits, whole_nm},
+    languages::with_sign,
     spectrum::Sampled,
 };
 
@@ -25,7 +26,7 @@ impl Target {
     pub(crate) fn of_xy(xy: [f64; 2]) -> Result<Self, MixError> {
         let refused = || MixError::Target {
             found: xy.map(digits).join(","),
-            expected: "x,y with y above 0 and x + y of 1 at most".to_owned(),
+            expected: said!("x,y with y above 0 and x + y of 1 at most").to_owned(),
         };
         let xyz = xyz_from_xy(xy, 100.0).ok_or_else(refused)?;
         let fits = xyz.x >= 0.0 && xyz.z >= -1e-9;
@@ -38,10 +39,15 @@ impl Target {
     /// [`MixError::Target`] for a temperature beyond 1000-100 000 K or a distance beyond 0.05.
     pub fn of_kelvin(kelvin: f64, duv: f64) -> Result<Self, MixError> {
         let refused = || MixError::Target {
-            found: format!("{} K, Duv {}", digits(kelvin), digits(duv)),
-            expected: format!(
-                "{} to {} K and a Duv of -0.05 to 0.05",
-                KELVIN[0], KELVIN[1]
+            found: tr!(
+                "{kelvin} K, Duv {duv}",
+                kelvin = with_sign(digits(kelvin)),
+                duv = with_sign(digits(duv))
+            ),
+            expected: tr!(
+                "{least} to {most} K and a Duv of -0.05 to 0.05",
+                least = KELVIN[0],
+                most = KELVIN[1]
             ),
         };
         let fits = (KELVIN[0]..=KELVIN[1]).contains(&kelvin) && duv.abs() <= 0.05;
@@ -71,8 +77,8 @@ impl Target {
         let sums = basic_sums(&whole_nm::table(light));
         let xyz = Xyz::new(sums[0], sums[1], sums[2]).with_y(100.0);
         xyz.map(|xyz| Self { xyz }).ok_or_else(|| MixError::Target {
-            found: "a light without visible power".to_owned(),
-            expected: "a light with a colour".to_owned(),
+            found: said!("a light without visible power").to_owned(),
+            expected: said!("a light with a colour").to_owned(),
         })
     }
 

@@ -9,6 +9,7 @@ use zip::ZipArchive;
 
 use super::guarded::guarded;
 use crate::io::{Input, ReadError, budget};
+use crate::languages::said;
 
 /// Most members that are examined.
 const MOST_MEMBERS: usize = 10_000;
@@ -50,8 +51,9 @@ impl<'a, 'b> Archive<'a, 'b> {
             .ok_or_else(|| broken(input, "unreadable"))?
             .map_err(|error| broken(input, &error.to_string()))?;
         if zip.len() > MOST_MEMBERS {
-            let found = format!("an archive of {} members", zip.len());
-            return Err(input.error(found, format!("at most {MOST_MEMBERS}")));
+            let found = tr!("an archive of {n} member" | "an archive of {n} members" % zip.len());
+            let most = tr!("at most {most}", most = MOST_MEMBERS);
+            return Err(input.error(found, most));
         }
         let names = zip
             .file_names()
@@ -107,8 +109,8 @@ impl<'a, 'b> Archive<'a, 'b> {
         match outcome.unwrap_or_else(|| Err("unreadable".to_owned())) {
             Ok(true) => Ok(()),
             Ok(false) => {
-                let found = "an archive that unfolds to far more than its size";
-                Err(input.error(found, budget::WORDS))
+                let found = said!("an archive that unfolds to far more than its size");
+                Err(input.error(found, said(budget::WORDS)))
             }
             Err(why) => Err(broken(input, &why)),
         }
@@ -116,5 +118,8 @@ impl<'a, 'b> Archive<'a, 'b> {
 }
 
 fn broken(input: &Input, why: &str) -> ReadError {
-    input.error(format!("a broken zip archive ({why})"), "a whole one")
+    input.error(
+        tr!("a broken zip archive ({why})", why),
+        said!("a whole one"),
+    )
 }

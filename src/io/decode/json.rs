@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use crate::io::error::{kept, quoted};
 use crate::io::{Input, ReadError, budget};
+use crate::languages::said;
 
 /// Memory that the parser takes for a value in a list, and for one with a key, in bytes.
 const VALUE_BYTES: usize = 40;
@@ -34,8 +35,8 @@ pub(super) fn check_room(
     if count(b",[{") * value_bytes + count(b":") * keyed_bytes <= most {
         return Ok(());
     }
-    let found = "JSON of far more values than its size allows";
-    Err(input.error(found, budget::WORDS))
+    let found = said!("JSON of far more values than its size allows");
+    Err(input.error(found, said(budget::WORDS)))
 }
 
 /// An error of the JSON parser as one of the file.
@@ -46,13 +47,13 @@ pub(crate) fn json_error(input: &Input, error: &serde_json::Error) -> ReadError 
         .rsplit_once(" at line ")
         .map_or(&*text, |(head, _)| head);
     if text.starts_with("recursion limit") {
-        let found = "JSON of more than 127 lists in one another";
-        return input.error(found, "fewer").at_line(error.line());
+        let found = said!("JSON of more than 127 lists in one another");
+        return input.error(found, said!("fewer")).at_line(error.line());
     }
     let parted = text.split_once(", expected ");
     let parted = parted.or_else(|| text.split_once(" expected "));
-    let (found, expected) = parted.unwrap_or((text, "valid JSON of this format"));
-    let refusal = input.error(format!("JSON with {found}"), expected);
+    let (found, expected) = parted.unwrap_or((text, said!("valid JSON of this format")));
+    let refusal = input.error(tr!("JSON with {found}", found), expected);
     match error.line() {
         0 => refusal,
         line => refusal.at_line(line),
@@ -67,7 +68,12 @@ pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
 
 /// A list of numbers.
 pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
-    let other = || input.error(format!("{what} that is no list"), "a list of numbers");
+    let other = || {
+        input.error(
+            tr!("{what} that is no list", what),
+            said!("a list of numbers"),
+        )
+    };
     let list = list.as_array().ok_or_else(other)?;
     list.iter().map(|item| number(input, item, what)).collect()
 }
@@ -78,8 +84,12 @@ pub(crate) fn number(input: &Input, item: &Value, what: &str) -> Result<f64, Rea
         Value::Null => Ok(f64::NAN),
         Value::Number(number) => Ok(number.as_f64().unwrap_or(f64::NAN)),
         other => {
-            let found = format!("{} in {what}", quoted(&other.to_string()));
-            Err(input.error(found, "a number"))
+            let found = tr!(
+                "{value} in {what}",
+                value = quoted(&other.to_string()),
+                what
+            );
+            Err(input.error(found, said!("a number")))
         }
     }
 }

@@ -7,12 +7,13 @@ use std::path::Path;
 use png::{BitDepth, Decoder, DecodingError, Reader, Transformations};
 
 use crate::io::{disk, unopened::words as why_unopened};
+use crate::languages::said;
 
 /// The first bytes of every PNG file.
 pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// The message about a picture that does not fit into memory.
-const TOO_LARGE: &str = "found a picture too large for memory, expected a smaller one";
+const TOO_LARGE: &str = later!("found a picture too large for memory, expected a smaller one");
 
 /// Kind of a chunk, and the range of its data in the file.
 pub(crate) type Chunk = ([u8; 4], Range<usize>);
@@ -33,7 +34,7 @@ pub(crate) fn chunks(bytes: &[u8]) -> Option<impl Iterator<Item = Result<Chunk, 
 
 /// The chunk at a place.
 fn chunk(bytes: &[u8], at: usize) -> Result<Chunk, [String; 2]> {
-    let short = || ["a PNG that ends early", "one to its IEND"].map(str::to_owned);
+    let short = || [said!("a PNG that ends early"), said!("one to its IEND")].map(str::to_owned);
     let word = |at: usize| {
         let word = bytes.get(at..).and_then(<[u8]>::first_chunk::<4>);
         word.copied().ok_or_else(short)
@@ -46,8 +47,8 @@ fn chunk(bytes: &[u8], at: usize) -> Result<Chunk, [String; 2]> {
     if check.sum().to_be_bytes() != sum {
         // A damaged file may hold any bytes, line ends too.
         let name = kind.escape_ascii();
-        let found = format!("a chunk {name} with a wrong check sum");
-        return Err([found, "a whole one".to_owned()]);
+        let found = tr!("a chunk {name} with a wrong check sum", name);
+        return Err([found, said!("a whole one").to_owned()]);
     }
     Ok((kind, at + 8..end))
 }
@@ -99,25 +100,27 @@ impl ColourPng {
     pub fn read(path: &Path, most_pixels: usize) -> Result<Self, String> {
         let unopened = |why| {
             let (found, expected) = why_unopened(path, &why);
-            format!("found {found}, expected {expected}")
+            tr!("found {found}, expected {expected}", found, expected)
         };
         let mut file = BufReader::new(disk::open(path).map_err(unopened)?);
         if !file.fill_buf().map_err(unopened)?.starts_with(SIGNATURE) {
-            return Err("found a file of another kind, expected a PNG picture".to_owned());
+            return Err(said!("found a file of another kind, expected a PNG picture").to_owned());
         }
         let mut decoder = Decoder::new(file);
         decoder.set_transformations(Transformations::EXPAND);
         let refused = |why: Option<DecodingError>| match why {
-            None | Some(DecodingError::LimitsExceeded) => TOO_LARGE.to_owned(),
-            _ => "found a damaged picture, expected a whole PNG picture".to_owned(),
+            None | Some(DecodingError::LimitsExceeded) => said(TOO_LARGE).to_owned(),
+            _ => said!("found a damaged picture, expected a whole PNG picture").to_owned(),
         };
         let reader = decoder.read_info().map_err(|why| refused(Some(why)))?;
         let info = reader.info();
         let size = [info.width as usize, info.height as usize];
         if size[0].saturating_mul(size[1]) > most_pixels {
-            return Err(format!(
-                "found {} x {} px, expected at most {most_pixels} pixels",
-                size[0], size[1]
+            return Err(tr!(
+                "found {width} x {height} px, expected at most {most} pixels",
+                width = size[0],
+                height = size[1],
+                most = most_pixels
             ));
         }
         let pixels = match frame(reader).map_err(refused)? {

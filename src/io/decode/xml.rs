@@ -22,8 +22,8 @@ const MOST_ATTRIBUTES: usize = 256;
 pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, ReadError> {
     if let Some(at) = crowded_tag(text) {
         let line = 1 + text[..at].bytes().filter(|b| *b == b'\n').count();
-        let found = "an element with hundreds of attributes";
-        return Err(input.error_at(line, found, "at most 256"));
+        let found = said!("an element with hundreds of attributes");
+        return Err(input.error_at(line, found, said!("at most 256")));
     }
     let nodes = budget::of_text(input.bytes.len()) / 2 / NODE_BYTES;
     let options = ParsingOptions {
@@ -32,13 +32,13 @@ pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, Re
     };
     Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => input.error(
-            "an XML document with a DTD (entities)",
-            "one without: such documents are not read",
+            said!("an XML document with a DTD (entities)"),
+            said!("one without: such documents are not read"),
         ),
         _ => input.error_at(
             error.pos().row as usize,
-            format!("broken XML ({error})"),
-            "well-formed XML",
+            tr!("broken XML ({error})", error),
+            said!("well-formed XML"),
         ),
     })
 }

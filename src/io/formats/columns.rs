@@ -9,7 +9,7 @@ use crate::io::text::dialect::Dialect;
 use crate::io::{Input, ReadError, Reading};
 
 pub(crate) const FORMAT: Format = Format::new(
-    "plain columns",
+    later!("plain columns"),
     &["csv", "tsv", "txt", "dat", "asc", "prn"],
     sniff,
     read,

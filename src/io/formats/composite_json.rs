@@ -37,7 +37,7 @@ pub(crate) const VERSIONS: [u32; 2] = [1, 2];
 
 /// The composite model.
 pub(crate) const FORMAT: Format = Format {
-    name: "composite JSON",
+    name: later!("composite JSON"),
     extensions: &["json"],
     sniff,
     read,
@@ -102,19 +102,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 /// One line about a composite: basis, order, range, spikes, and the count of its numbers.
 pub(crate) fn in_words(composite: &Composite) -> String {
     let (band, smooth) = (composite.band(), composite.smooth());
-    format!(
-        "{} series of order {}, {}-{} nm, {}, {}",
-        smooth.basis.word(),
-        smooth.order(),
-        band.min_nm(),
-        band.max_nm(),
-        match composite.lines().len() {
-            0 => "no spikes".to_owned(),
+    tr!("{word} series of order {order}, {min_nm}-{max_nm} nm, {many}, {numbers}", word = smooth.basis.word(), order = smooth.order(), min_nm = band.min_nm(), max_nm = band.max_nm(), many = match composite.lines().len() {
+            0 => said!("no spikes").to_owned(),
             n if !composite.has_widths() => many(n, "line", "lines"),
-            n => many(n, "line with its width", "lines with their widths"),
-        },
-        numbers(composite.numbers())
-    )
+            n => many(n, said!("line with its width"), said!("lines with their widths")),
+        }, numbers = numbers(composite.numbers()))
 }
 
 /// The reason why a text is not a valid composite.
@@ -144,18 +136,18 @@ impl CompositeTextError {
 /// The composite of a parsed file; `stem` is the name of one without a name.
 fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextError> {
     if file.format != FORMAT_WORD {
-        let found = format!("format \"{}\"", file.format);
+        let found = tr!("format \"{format}\"", format = file.format);
         return Err(CompositeTextError::new(found, format!("\"{FORMAT_WORD}\"")));
     }
     let [first, last] = VERSIONS;
     if !VERSIONS.contains(&file.version) {
-        let found = format!("version {}", file.version);
-        let expected = format!("version {first} or {last}");
+        let found = tr!("version {version}", version = file.version);
+        let expected = tr!("version {first} or {last}", first, last);
         return Err(CompositeTextError::new(found, expected));
     }
     let [min, max] = file.range_nm;
     let off = |error: BandError| {
-        CompositeTextError::new(format!("range_nm [{min}, {max}]"), error.to_string())
+        CompositeTextError::new(tr!("range_nm [{min}, {max}]", min, max), error.to_string())
     };
     let band = Band::new(min, max).map_err(off)?;
     let smooth = smooth_of(band, file.basis, file.coefficients)?;
@@ -195,7 +187,7 @@ fn smooth_of(
             .iter()
             .map(|name| format!("\"{name}\": [...]"))
             .collect();
-        let found = format!("other coefficients with the {} basis", basis.word());
+        let found = tr!("other coefficients with the {word} basis", word = basis.word());
         return Err(CompositeTextError::new(
             found,
             format!("{{{}}}", lists.join(", ")),
@@ -206,11 +198,11 @@ fn smooth_of(
     Series::from_lists(band, basis, &lists).ok_or_else(|| {
         let counts = lists
             .iter()
-            .map(|(name, list)| format!("{} in {name}", list.len()));
-        let found = format!("numbers: {}", counts.collect::<Vec<_>>().join(" and "));
+            .map(|(name, list)| tr!("{list} in {name}", list = list.len(), name));
+        let found = tr!("numbers: {join}", join = counts.collect::<Vec<_>>().join(" and "));
         let expected = match &own[1..] {
-            [] => "one at least".to_owned(),
-            others => format!("one more in {} than in {}", own[0], others.join(" and in ")),
+            [] => said!("one at least").to_owned(),
+            others => tr!("one more in {own} than in {join}", own = own[0], join = others.join(" and in ")),
         };
         CompositeTextError::new(found, expected)
     })
@@ -226,32 +218,32 @@ pub(super) fn checked(smooth: Series, lines: Vec<Line>) -> Result<Composite, Com
     let odd = |found: String, expected: String| Err(CompositeTextError::new(found, expected));
     let mut widths = lines.iter().map(|line| line.fwhm_nm);
     if let Some(width) = widths.find(|width| !(0.0..=WIDEST_NM).contains(width)) {
-        let expected = format!("a width of 0 to {WIDEST_NM} nm");
-        return odd(format!("a line {width} nm wide"), expected);
+        let expected = tr!("a width of 0 to {WIDEST_NM} nm", WIDEST_NM);
+        return odd(tr!("a line {width} nm wide", width), expected);
     }
     let most = 2 * Basis::highest_order(band) + 1;
     if !(1..=most).contains(&coefficients.len()) {
-        let found = format!("{} coefficients", coefficients.len());
-        return odd(found, format!("1 to {most} on this range"));
+        let found = tr!("{coefficients} coefficients", coefficients = coefficients.len());
+        return odd(found, tr!("1 to {most} on this range", most));
     }
     if let Some(c) = coefficients.iter().find(|c| !is_measured(**c)) {
         return odd(
-            format!("the coefficient {c}"),
-            "a number below 1e30".to_owned(),
+            tr!("the coefficient {c}", c),
+            said!("a number below 1e30").to_owned(),
         );
     }
     for Line { at_nm, weight, .. } in &lines {
         if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
-            let expected = "a wavelength above 0 and a weight below 1e30";
+            let expected = said!("a wavelength above 0 and a weight below 1e30");
             return odd(
-                format!("a spike of {weight} at {at_nm} nm"),
+                tr!("a spike of {weight} at {at_nm} nm", weight, at_nm),
                 expected.to_owned(),
             );
         }
         if !band.contains(*at_nm) {
             let (from, to) = (band.min_nm(), band.max_nm());
-            let expected = format!("lines on the composite's range, {from} to {to} nm");
-            return odd(format!("a line at {at_nm} nm"), expected);
+            let expected = tr!("lines on the composite's range, {from} to {to} nm", from, to);
+            return odd(tr!("a line at {at_nm} nm", at_nm), expected);
         }
     }
     Ok(Composite::of_lines_inside(smooth, lines))
@@ -269,7 +261,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         .flat_map(|line| [line.at_nm, line.weight, line.fwhm_nm]);
     let numbers = smooth.coefficients.iter().copied();
     if !numbers.chain(of_lines).all(f64::is_finite) || smooth.coefficients.is_empty() {
-        let why = "found a coefficient or spike that is not finite, expected numbers";
+        let why = said!("found a coefficient or spike that is not finite, expected numbers");
         return Err(WriteError::new(name, why));
     }
     let mut lists = smooth.lists();
@@ -294,8 +286,8 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         source: file.source.clone(),
         name: name.clone(),
         kind: Some(file.kind),
-        scale_in_force: "as measured".to_owned(),
-        written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
+        scale_in_force: said!("as measured").to_owned(),
+        written_by: tr!("Spectral Explorer {env}", env = env!("CARGO_PKG_VERSION")),
     };
     let text = serde_json::to_string_pretty(&file);
     text.map(|text| text + "\n")

@@ -26,7 +26,7 @@ pub(crate) const MARKS: [&str; 2] = ["cs1", "cs2"];
 
 /// The one-line composite.
 pub(crate) const FORMAT: Format = Format {
-    name: "composite line",
+    name: later!("composite line"),
     extensions: &["txt"],
     sniff,
     read,
@@ -53,7 +53,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             spectrum: 0,
             what: Guessed::Kind,
             chosen: Kind::Light.word().to_owned(),
-            because: "the line does not say".to_owned(),
+            because: said!("the line does not say").to_owned(),
             plain: false,
         }],
         ..Reading::default()
@@ -95,15 +95,15 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
     let has_widths = fields[0] == MARKS[1];
     if !MARKS.contains(&fields[0]) {
-        let expected = "a line that begins with \"cs1;\"";
+        let expected = said!("a line that begins with \"cs1;\"");
         return Err(CompositeTextError::new(quoted(fields[0]), expected));
     }
     let (basis, range, coefficients, spikes) = match fields[..] {
         [_, basis, range, coefficients, spikes] => (basis, range, coefficients, spikes),
         [_, basis, range, coefficients] => (basis, range, coefficients, ""),
         _ => {
-            let expected = "5: cs1;basis;range;coefficients;spikes";
-            let found = format!("{} fields", fields.len());
+            let expected = said!("5: cs1;basis;range;coefficients;spikes");
+            let found = tr!("{fields} fields", fields = fields.len());
             return Err(CompositeTextError::new(found, expected));
         }
     };
@@ -114,7 +114,7 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
     let band = parse_range(range)?;
     let coefficients = coefficients
         .split_whitespace()
-        .map(|word| finite(word, "a number as coefficient"))
+        .map(|word| finite(word, said!("a number as coefficient")))
         .collect::<Result<_, _>>()?;
     let spikes = spikes
         .split_whitespace()
@@ -137,8 +137,8 @@ fn odd(what: &str, part: &str, expected: impl Into<String>) -> CompositeTextErro
 fn parse_range(range: &str) -> Result<Band, CompositeTextError> {
     let (min, max) = range
         .split_once(':')
-        .ok_or_else(|| odd("range", range, "MIN:MAX in nm"))?;
-    let end = |word: &str| finite(word.trim(), "a range in whole nm");
+        .ok_or_else(|| odd("range", range, said!("MIN:MAX in nm")))?;
+    let end = |word: &str| finite(word.trim(), said!("a range in whole nm"));
     Band::new(end(min)?, end(max)?).map_err(|error| odd("range", range, error.to_string()))
 }
 
@@ -148,12 +148,12 @@ fn parse_spike(word: &str, has_widths: bool) -> Result<Line, CompositeTextError>
         .split_once('*')
         .ok_or_else(|| odd("spike", word, "nm*weight"))?;
     let (weight, width) = match rest.split_once('*').filter(|_| has_widths) {
-        Some((weight, width)) => (weight, finite(width, "a line's width in nm")?),
+        Some((weight, width)) => (weight, finite(width, said!("a line's width in nm"))?),
         None => (rest, 0.0),
     };
     Ok(Line {
-        at_nm: finite(at_nm, "a spike's wavelength in nm")?,
-        weight: finite(weight, "a spike's weight")?,
+        at_nm: finite(at_nm, said!("a spike's wavelength in nm"))?,
+        weight: finite(weight, said!("a spike's weight"))?,
         fwhm_nm: width,
     })
 }

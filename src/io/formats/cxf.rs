@@ -48,7 +48,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut ranges: HashMap<&str, Node> = HashMap::new();
     for specification in xml::named(root, "ColorSpecification") {
         let range = xml::named(specification, "WavelengthRange").next();
-        if let (Some(id), Some(range)) = (xml::attribute(specification, "Id"), range) {
+        if let (Some(id), Some(range)) = (xml::attribute(specification, said!("Id")), range) {
             ranges.entry(id).or_insert(range);
         }
     }
@@ -57,11 +57,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for node in root.descendants().filter(Node::is_element) {
         let word = node.tag_name().name();
         if word == CUSTOM {
-            let name = object_of(node).and_then(|object| xml::attribute(object, "Name"));
-            reading.notes.push(format!(
-                "{}: a {CUSTOM}, of which the file does not tell what it is, was left out",
-                name.unwrap_or(input.stem())
-            ));
+            let name = object_of(node).and_then(|object| xml::attribute(object, said!("Name")));
+            reading.notes.push(tr!("{stem}: a {CUSTOM}, of which the file does not tell what it is, was left out", stem = name.unwrap_or(input.stem()), CUSTOM));
         }
         let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
             continue;
@@ -69,18 +66,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let Some(object) = object_of(node) else {
             continue;
         };
-        let name = xml::attribute(object, "Name").or_else(|| xml::attribute(object, "Id"));
+        let name = xml::attribute(object, said!("Name")).or_else(|| xml::attribute(object, said!("Id")));
         let name = name.unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
-        let too_many = || input.error("far more spectra than its size allows", budget::TEXT_WORDS);
+        let too_many = || input.error(said!("far more spectra than its size allows"), budget::TEXT_WORDS);
         left = left
             .checked_sub(SPECTRUM_BYTES + 32 * points)
             .ok_or_else(|| too_many().at_line(xml::line(node)))?;
     }
     if reading.spectra.is_empty() {
         let why = reading.notes.first().map(|note| format!(" ({note})"));
-        let found = format!("a CxF file without spectra{}", why.unwrap_or_default());
-        let expected = "an Object with a ReflectanceSpectrum or an EmissiveSpectrum";
+        let found = tr!("a CxF file without spectra{unwrap_or_default}", unwrap_or_default = why.unwrap_or_default());
+        let expected = said!("an Object with a ReflectanceSpectrum or an EmissiveSpectrum");
         return Err(input.error(found, expected));
     }
     Ok(reading)
@@ -90,7 +87,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 fn object_of<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
     node.ancestors()
         .take(DEEPEST)
-        .find(|n| n.tag_name().name().eq_ignore_ascii_case("Object"))
+        .find(|n| n.tag_name().name().eq_ignore_ascii_case(said!("Object")))
 }
 
 /// Adds the spectrum of an element; its number of points.
@@ -110,31 +107,31 @@ fn read_spectrum(
     let positive = |name: &str, text: &str| {
         let number = number::number(text, false).filter(|x| x.is_finite() && *x > 0.0);
         let found = || format!("{name}={}", quoted(text));
-        number.ok_or_else(|| input.error(found(), "a wavelength in nm").at_line(at()))
+        number.ok_or_else(|| input.error(found(), said!("a wavelength in nm")).at_line(at()))
     };
     let start = number("StartWL").ok_or_else(|| {
-        let found = format!("<{}> without StartWL", node.tag_name().name());
-        let expected = "StartWL=\"nm\" there or in its ColorSpecification";
+        let found = tr!("<{tag_name}> without StartWL", tag_name = node.tag_name().name());
+        let expected = said!("StartWL=\"nm\" there or in its ColorSpecification");
         input.error(found, expected).at_line(at())
     })?;
     let start = positive("StartWL", start)?;
     let mut notes = Vec::new();
-    let step = match number("Increment") {
-        Some(text) => positive("Increment", text)?,
+    let step = match number(said!("Increment")) {
+        Some(text) => positive(said!("Increment"), text)?,
         None => {
-            notes.push("no increment in the file: taken as 10 nm".to_owned());
+            notes.push(said!("no increment in the file: taken as 10 nm").to_owned());
             10.0
         }
     };
     let value = |word: &str| {
-        let refusal = || input.error(quoted(word), "numbers with blanks between them");
+        let refusal = || input.error(quoted(word), said!("numbers with blanks between them"));
         number::number(word, false).ok_or_else(|| refusal().at_line(at()))
     };
     let words = node.text().unwrap_or("").split_whitespace();
     let values: Vec<f64> = words.map(value).collect::<Result<_, _>>()?;
     if values.len() < 2 {
         let found = many::many(values.len(), "value", "values");
-        let note = format!("{name}: {found}, too few for a spectrum: left out");
+        let note = tr!("{name}: {found}, too few for a spectrum: left out", name, found);
         reading.notes.push(note);
         return Ok(values.len());
     }

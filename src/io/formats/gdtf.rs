@@ -34,35 +34,35 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut archive = Archive::open(input, SHARE)?;
     let is_description = |name: &String| name.eq_ignore_ascii_case(DESCRIPTION);
     let index = archive.names.iter().position(is_description);
-    let none = || input.error("an archive without description.xml", "a GDTF fixture");
+    let none = || input.error(said!("an archive without description.xml"), said!("a GDTF fixture"));
     let bytes = archive.member(index.ok_or_else(none)?)?;
     let text = text::decode(&bytes);
     let document = xml::parse(input, &text.text)?;
     let root = document.root_element();
     let fixture = xml::named(root, "FixtureType")
-        .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, "Name")))
+        .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, said!("Name"))))
         .map_or(input.stem(), kept);
     let slots = slots(root);
     let mut reading = Reading::default();
     let mut without = 0_usize;
-    for (element, kind) in [("Emitter", Kind::Light), ("Filter", Kind::Transmittance)] {
+    for (element, kind) in [(said!("Emitter"), Kind::Light), (said!("Filter"), Kind::Transmittance)] {
         for node in xml::named(root, element) {
-            let measurements: Vec<Node> = xml::children(node, "Measurement")
+            let measurements: Vec<Node> = xml::children(node, said!("Measurement"))
                 .filter(|m| xml::children(*m, "MeasurementPoint").next().is_some())
                 .collect();
             without += usize::from(measurements.is_empty());
             for measurement in &measurements {
-                let of_element = xml::attribute(node, "Name").unwrap_or(element);
-                let name = match xml::attribute(*measurement, "Physical") {
+                let of_element = xml::attribute(node, said!("Name")).unwrap_or(element);
+                let name = match xml::attribute(*measurement, said!("Physical")) {
                     Some(physical) if measurements.len() > 1 => {
-                        format!("{fixture} {of_element}, dimmer {physical}")
+                        tr!("{fixture} {of_element}, dimmer {physical}", fixture, of_element, physical)
                     }
                     _ => format!("{fixture} {of_element}"),
                 };
                 let mut notes = read_measurement(input, *measurement, (name, kind), &mut reading)?;
                 let slot = slots.get(of_element);
                 if let Some(slot) = slot.filter(|_| kind == Kind::Transmittance) {
-                    notes.push(format!("in the wheel as {slot}"));
+                    notes.push(tr!("in the wheel as {slot}", slot));
                 }
                 if let Some(spectrum) = reading.spectra.last_mut() {
                     spectrum.notes = notes;
@@ -72,12 +72,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if reading.spectra.is_empty() {
         return Err(input.error(
-            format!("a GDTF fixture of {without} emitters and filters without measurements"),
-            "<Measurement> with two or more <MeasurementPoint> elements",
+            tr!("a GDTF fixture of {without} emitters and filters without measurements", without),
+            said!("<Measurement> with two or more <MeasurementPoint> elements"),
         ));
     }
     if without > 0 {
-        let note = format!("{without} emitters or filters have no measurement");
+        let note = tr!("{without} emitters or filters have no measurement", without);
         reading.notes.push(note);
     }
     Ok(reading)
@@ -96,16 +96,16 @@ fn read_measurement(
             let text = xml::attribute(point, name).unwrap_or("");
             xml::number(input, point, text, expected)
         };
-        nm.push(get("WaveLength", "a number as WaveLength=\"...\"")?);
-        values.push(get("Energy", "a number as Energy=\"...\"")?);
+        nm.push(get("WaveLength", said!("a number as WaveLength=\"...\""))?);
+        values.push(get("Energy", said!("a number as Energy=\"...\""))?);
     }
     let kind = Decision::of_format(kind);
     let raw = RawSpectrum::known(name, &nm, values, kind, "relative");
     add_element(input, raw, (node, &[]), reading)?;
     let notes = [
-        ("Physical", "dimmer at"),
-        ("LuminousIntensity", "luminous intensity"),
-        ("Transmission", "transmission"),
+        (said!("Physical"), said!("dimmer at")),
+        ("LuminousIntensity", said!("luminous intensity")),
+        (said!("Transmission"), "transmission"),
     ];
     let notes = notes.map(|(name, what)| Some(format!("{what} {}", xml::attribute(node, name)?)));
     Ok(notes.into_iter().flatten().collect())
@@ -114,9 +114,9 @@ fn read_measurement(
 /// The wheel slots by the filters in them, the first of each.
 fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
     let mut slots = HashMap::new();
-    for slot in xml::named(root, "Slot") {
-        let filter = xml::attribute(slot, "Filter");
-        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, "Name")) {
+    for slot in xml::named(root, said!("Slot")) {
+        let filter = xml::attribute(slot, said!("Filter"));
+        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, said!("Name"))) {
             // A link may name the collection too: "Filters.CTO".
             let filter = filter.rsplit('.').next().unwrap_or(filter);
             slots.entry(filter).or_insert(name);

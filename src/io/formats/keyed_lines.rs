@@ -28,8 +28,8 @@ const MOST_SETTINGS: usize = 5000;
 const MOST_COLUMNS: usize = 1000;
 
 /// Beginnings of keys that are settings of an instrument and no results (lower case).
-const SETTINGS: &str = "i-time integration model serial time date memo title name measuring \
-     viewing firmware version average";
+const SETTINGS: &str = later!("i-time integration model serial time date memo title name measuring \
+     viewing firmware version average");
 
 /// Separators allowed between a key and its values.
 const MARKS: [(Delimiter, char); 3] = [
@@ -126,7 +126,7 @@ impl<'a> KeyedLines<'a> {
                 true => &behind[..],
                 false => &cells[1..],
             };
-            let expected = "a number behind the wavelength";
+            let expected = said!("a number behind the wavelength");
             out.point(line, nm, values)
                 .map_err(|word| input.error_at(line, quoted(word), expected))?;
         }
@@ -241,12 +241,12 @@ pub(crate) fn reading_of<'k>(
         reading.results.extend(results);
     }
     if reading.spectra.is_empty() {
-        let expected = "a value behind each wavelength";
-        return Err(input.error("wavelengths and no values", expected));
+        let expected = said!("a value behind each wavelength");
+        return Err(input.error(said!("wavelengths and no values"), expected));
     }
     let results = reading.results.len();
     if results > 0 {
-        let note = format!("{results} results of the instrument kept beside the spectrum");
+        let note = tr!("{results} results of the instrument kept beside the spectrum", results);
         reading.notes.push(note);
     }
     Ok(reading)

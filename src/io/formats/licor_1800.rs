@@ -19,7 +19,7 @@ use crate::io::text::number::{self, Cell};
 use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("LI-COR LI-1800", &["prn"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("LI-COR LI-1800"), &["prn"], sniff, read);
 
 /// The header line of a word (`REM`), quotes removed.
 fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
@@ -56,17 +56,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 Cell::Percent(_) => None,
                 cell => cell.value(),
             };
-            let expected = "a wavelength in nm and a value";
+            let expected = said!("a wavelength in nm and a value");
             rows.add_pair(input, (line, content), number, expected)?;
         }
     }
     let upper = remark.to_uppercase();
     let (unit, because) = if upper.contains("QNTM") {
-        (PHOTONS, "QNTM in the remark: photons")
+        (PHOTONS, said!("QNTM in the remark: photons"))
     } else if upper.contains("WATT") {
-        ("W m-2 nm-1", "WATT in the remark: energy")
+        (said!("W m-2 nm-1"), said!("WATT in the remark: energy"))
     } else {
-        let because = "the remark names neither WATT nor QNTM: the unit is not known";
+        let because = said!("the remark names neither WATT nor QNTM: the unit is not known");
         ("", because)
     };
     // A remark without a unit may name the object under the meter instead.
@@ -79,7 +79,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut spectrum = RawSpectrum::light(input.named(name), &nm, values, unit);
     spectrum.lines = &rows.lines;
     if let Some(kind) = factor {
-        let kind = Decision::guessed(kind, false, "the words of the remark");
+        let kind = Decision::guessed(kind, false, said!("the words of the remark"));
         (spectrum.known.kind, spectrum.known.scale) = (Some(kind), KnownScale::Open);
     } else {
         spectrum.notes.push(because.to_owned());
@@ -97,7 +97,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             quantity: Quantity::PeakNm,
             value,
             unit: "nm".to_owned(),
-            as_written: format!("MAX: {}", found.chars().take(60).collect::<String>()),
+            as_written: tr!("MAX: {tring}", tring = found.chars().take(60).collect::<String>()),
         });
     }
     Ok(reading)

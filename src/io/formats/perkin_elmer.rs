@@ -19,7 +19,7 @@ use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit};
 use crate::spectrum::Kind;
 
 pub(crate) const FORMAT: Format =
-    Format::new("PerkinElmer PEDS ASCII", &["sp", "asc", "txt"], sniff, read);
+    Format::new(later!("PerkinElmer PEDS ASCII"), &["sp", "asc", "txt"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();
@@ -42,22 +42,22 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             ("#GR", 2) => y_unit = content,
             ("#DATA", _) if !content.is_empty() => {
                 let number = |word: &str| number::parse(word, word.contains(',')).plain_value();
-                rows.add_pair(input, (line, content), number, "a wavelength and a value")?;
+                rows.add_pair(input, (line, content), number, said!("a wavelength and a value"))?;
             }
             _ => {}
         }
     }
     let (mut nm, values) = (rows.take(0), rows.take(1));
     if nm.is_empty() {
-        let found = "PerkinElmer ASCII without numbers behind #DATA";
-        return Err(input.error(found, "wavelengths and values"));
+        let found = said!("PerkinElmer ASCII without numbers behind #DATA");
+        return Err(input.error(found, said!("wavelengths and values")));
     }
     let mut notes = Vec::new();
     match WavelengthUnit::of_title(x_unit) {
-        None => notes.push("the file names no unit of its wavelengths: taken as nm".to_owned()),
+        None => notes.push(said!("the file names no unit of its wavelengths: taken as nm").to_owned()),
         Some(WavelengthUnit::Nanometre) => {}
         Some(other) => {
-            notes.push(format!("wavelengths converted from {} (#GR)", other.word()));
+            notes.push(tr!("wavelengths converted from {word} (#GR)", word = other.word()));
             nm.iter_mut().for_each(|x| *x = other.to_nm(*x));
         }
     }
@@ -72,10 +72,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         _ => (Kind::Light, 1.0, ""),
     };
     if fluorescence {
-        notes.push("a fluorescence spectrum, intensities in arbitrary units".to_owned());
+        notes.push(said!("a fluorescence spectrum, intensities in arbitrary units").to_owned());
     }
     let kind = match (kind, unit) {
-        (Kind::Light, "") => Decision::guessed(kind, false, "#GR names no unit of the values"),
+        (Kind::Light, "") => Decision::guessed(kind, false, said!("#GR names no unit of the values")),
         _ => Decision::of_format(kind),
     };
     let mut spectrum = RawSpectrum::known(input.stem(), &nm, values, kind, unit);

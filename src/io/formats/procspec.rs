@@ -15,7 +15,7 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("Ocean Optics ProcSpec", &["procspec"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("Ocean Optics ProcSpec"), &["procspec"], sniff, read);
 
 /// Share of the memory that may come out of the archive; the parsed XML takes the rest.
 const SHARE: f64 = 0.2;
@@ -37,8 +37,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let members: Vec<usize> = (0..archive.names.len()).filter(is_spectrum).collect();
     if members.is_empty() {
-        let expected = "an Ocean Optics ProcSpec archive";
-        return Err(input.error("an archive without ps_0.xml", expected));
+        let expected = said!("an Ocean Optics ProcSpec archive");
+        return Err(input.error(said!("an archive without ps_0.xml"), expected));
     }
     let several = members.len() > 1;
     let mut reading = Reading::default();
@@ -65,7 +65,7 @@ fn doubles(input: &Input, root: Node, name: &str) -> Result<Vec<f64>, ReadError>
         match number::number(text, false) {
             Some(value) => Ok(value),
             None if text.eq_ignore_ascii_case("nan") || text.contains("Infinity") => Ok(f64::NAN),
-            None => Err(input.error_at(xml::line(item), quoted(text), "a number in <double>")),
+            None => Err(input.error_at(xml::line(item), quoted(text), said!("a number in <double>"))),
         }
     };
     for node in xml::named(root, name).take(100) {
@@ -86,7 +86,7 @@ fn read_spectrum(
 ) -> Result<(), ReadError> {
     let axis = doubles(input, root, "channelWavelengths")?;
     if axis.is_empty() {
-        return Err(input.error("no <channelWavelengths>", "one with a <double> a pixel"));
+        return Err(input.error(said!("no <channelWavelengths>"), said!("one with a <double> a pixel")));
     }
     let mut values = doubles(input, root, "processedPixels")?;
     let mut title = "processed";
@@ -95,12 +95,12 @@ fn read_spectrum(
         title = "counts";
     }
     if values.len() != axis.len() {
-        let found = format!("{} pixels for {} wavelengths", values.len(), axis.len());
-        return Err(input.error(found, "as many pixels as wavelengths"));
+        let found = tr!("{values} pixels for {axis} wavelengths", values = values.len(), axis = axis.len());
+        return Err(input.error(found, said!("as many pixels as wavelengths")));
     }
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",
     // "Absorbance", "Irradiance".
-    let mut words = "yUnits yAxisLabel units processingName dataType".split(' ');
+    let mut words = said!("yUnits yAxisLabel units processingName dataType").split(' ');
     let stated = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
     let stated = stated.map(str::trim).filter(|stated| !stated.is_empty());
     let title = stated.unwrap_or(title);
@@ -114,7 +114,7 @@ fn read_spectrum(
         && spectrum.kind == Kind::Light
         && title == "counts"
     {
-        let note = "raw counts: nothing processed in the file".to_owned();
+        let note = said!("raw counts: nothing processed in the file").to_owned();
         spectrum.notes.push(note);
     }
     Ok(())

@@ -32,7 +32,7 @@ use crate::io::{Input, ReadError, Reading};
 
 /// Raman text.
 pub(crate) const FORMAT: Format = Format {
-    name: "Raman text",
+    name: later!("Raman text"),
     extensions: &["txt"],
     sniff,
     read,
@@ -45,14 +45,14 @@ const HEADER_LINES: usize = 60;
 const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
 
 /// Names of an axis of shifts, lower case.
-const SHIFTS: &str = "raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
-                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm";
+const SHIFTS: &str = later!("raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
+                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm");
 
 /// Words followed by a laser's wavelength, lower case.
 const LASER: [&str; 4] = [
     "laser",
     "excitation",
-    "raman wavelength",
+    later!("raman wavelength"),
     "raman_wavelength",
 ];
 
@@ -107,7 +107,7 @@ impl<'a> Head<'a> {
                 && value.to_lowercase().contains("raman")
         });
         says && !self.any(|line| {
-            let is_laser = holds_one(line, "laser;excitation;raman wavelength");
+            let is_laser = holds_one(line, said!("laser;excitation;raman wavelength"));
             !is_laser && holds_one(line, "wavelength;nanomet")
         })
     }
@@ -263,18 +263,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let head = Head::of(input.head());
     if head.wire_columns().is_some_and(|columns| columns > 2) {
         return Err(input.error(
-            "a Raman map or series of several points",
-            "the spectrum of one point: #Wave and #Intensity",
+            said!("a Raman map or series of several points"),
+            said!("the spectrum of one point: #Wave and #Intensity"),
         ));
     }
     // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
     let by_name = laser_of_name(&input.name);
-    let by_name = || Some(Decision::guessed(by_name?, true, "the file's name"));
-    let by_header = || Some(Decision::stated(Head::of(text).laser_nm()?, "the header"));
+    let by_name = || Some(Decision::guessed(by_name?, true, said!("the file's name")));
+    let by_header = || Some(Decision::stated(Head::of(text).laser_nm()?, said!("the header")));
     let by_hand = input.choices.laser_nm.map(Decision::chosen);
     let laser = by_hand.or_else(by_header).or_else(by_name).ok_or_else(|| {
-        let found = "Raman shifts (1/cm) from a laser that is not named";
-        let expected = "wavelengths, or the laser's wavelength in the header";
+        let found = said!("Raman shifts (1/cm) from a laser that is not named");
+        let expected = said!("wavelengths, or the laser's wavelength in the header");
         input.error(found, expected)
     })?;
     let (dialect, seen) = pick::look(text, input.choices.delimiter);
@@ -282,7 +282,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if seen.len() < text.len() && !tables.is_empty() {
         (tables, notes) = tables_of(text, dialect);
     }
-    let no_shifts = || input.error("no column of Raman shifts", "shifts (1/cm) and values");
+    let no_shifts = || input.error(said!("no column of Raman shifts"), said!("shifts (1/cm) and values"));
     if tables.is_empty() {
         // The refusal of plain columns is more specific; their reading of shifts is not shown.
         let refusal = (columns::FORMAT.read)(input).err();
@@ -322,15 +322,15 @@ fn add(
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
         return Err(bad.refusal(input));
     }
-    let shifts = format!("Raman shifts from {} nm", laser.value);
+    let shifts = tr!("Raman shifts from {value} nm", value = laser.value);
     for column in &values {
         let name = match values.len() {
             1 => stem.to_owned(),
-            _ => format!("{stem}, column {}", column + 1),
+            _ => tr!("{stem}, column {column}", stem, column = column + 1),
         };
         let spectrum = RawSpectrum {
             lines: &block.lines,
-            how: vec![format!("from Raman shifts of {} nm", laser.value)],
+            how: vec![tr!("from Raman shifts of {value} nm", value = laser.value)],
             notes: vec![taken_as(&shifts, &laser.reason)],
             axis: RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone()))),
             ..RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "")

@@ -12,6 +12,7 @@
 //! Films and digital sensors get summaries without a spectrum, refused as such. In the flash modes
 //! the values are W s m-2 nm-1.
 
+use crate::languages::fixed;
 use std::ops::Range;
 
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
@@ -20,7 +21,7 @@ use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format::new("Sekonic CSV", &["csv"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("Sekonic CSV"), &["csv"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -29,10 +30,10 @@ fn sniff(input: &Input) -> Confidence {
         line.starts_with(word)
     };
     let begins = |word: &str| lines(head).any(|(_, line)| starts(line, word));
-    let spectrum = lines(head).any(|(_, line)| starts(line, "Spectral Data") && is_point(line));
-    let results = ["Date Saved", "Tcp", "CCT", "⊿uv", "Illuminance", "CRI Ra"];
+    let spectrum = lines(head).any(|(_, line)| starts(line, said!("Spectral Data")) && is_point(line));
+    let results = [said!("Date Saved"), said!("Tcp"), "CCT", "⊿uv", said!("Illuminance"), said!("CRI Ra")];
     let given = results.iter().filter(|word| begins(word));
-    Confidence::certain_if(spectrum || begins("Measuring Mode") && given.count() >= 2)
+    Confidence::certain_if(spectrum || begins(said!("Measuring Mode")) && given.count() >= 2)
 }
 
 /// Runs of rising wavelengths: one block each.
@@ -48,8 +49,8 @@ fn blocks(nm: &[f64]) -> Vec<Range<usize>> {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let none = [
-        "a Sekonic summary (CCT, CRI, filters) without a spectrum",
-        "lines such as \"Spectral Data 380[nm],0.000012\": export with spectral data",
+        said!("a Sekonic summary (CCT, CRI, filters) without a spectrum"),
+        said!("lines such as \"Spectral Data 380[nm],0.000012\": export with spectral data"),
     ];
     let found = KeyedLines::of_meter(input, text, none)?;
     let nm = found.nm();
@@ -62,29 +63,27 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let long = all.iter().filter(|block| block.len() >= 2);
     let finest = long.min_by(|a, b| step(a).total_cmp(&step(b)));
     let finest = finest.ok_or_else(|| {
-        let found = "wavelengths that fall or stand still";
-        input.error(found, "blocks of rising wavelengths")
+        let found = said!("wavelengths that fall or stand still");
+        input.error(found, said!("blocks of rising wavelengths"))
     })?;
     let flash = found
         .get("Measuring Mode")
         .is_some_and(|mode| mode.to_lowercase().contains("flash"));
-    let unit = if flash { "W s m-2 nm-1" } else { "W m-2 nm-1" };
+    let unit = if flash { said!("W s m-2 nm-1") } else { said!("W m-2 nm-1") };
     reading_of(input, &found, finest.clone(), |column, values, _| {
-        let name = found.get_of("Title", column).unwrap_or(input.stem());
+        let name = found.get_of(said!("Title"), column).unwrap_or(input.stem());
         let mut spectrum = RawSpectrum::light(name, &nm[finest.clone()], values, unit);
         for block in all.iter().filter(|b| *b != finest).take(5) {
             let lines = &found.lines()[block.clone()];
             let (points, first, last) = (block.len(), lines[0], lines[block.len() - 1]);
-            let every = format!("{:.4} nm", step(block)).replace(".0000 nm", " nm");
-            spectrum.notes.push(format!(
-                "a block of {points} points every {every}, lines {first} to {last}, stands beside \
-                 it and was left out"
-            ));
+            let every = tr!("{step} nm", step = fixed(step(block), 4)).replace(".0000 nm", " nm");
+            spectrum.notes.push(tr!("a block of {points} points every {every}, lines {first} to {last}, stands beside \
+                 it and was left out", points, every, first, last));
         }
         if all.len() > 1 {
-            spectrum.how.push("the finest block".to_owned());
+            spectrum.how.push(said!("the finest block").to_owned());
         }
-        let note = format!("{unit} is the meter's unit; the file states none");
+        let note = tr!("{unit} is the meter's unit; the file states none", unit);
         spectrum.notes.push(note);
         spectrum
     })

@@ -9,7 +9,7 @@ use crate::io::interpret::{Heading, RawSpectrum, Scale, alone};
 use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format::new("pbrt .spd", &["spd"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("pbrt .spd"), &["spd"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = lines(input.head())
@@ -25,13 +25,13 @@ fn sniff(input: &Input) -> Confidence {
 fn pair(line: &str) -> Result<[f64; 2], (String, &'static str)> {
     let number = |word: &str| number::number(word, false).filter(|v| v.is_finite());
     let all = numbers(line.split_ascii_whitespace(), usize::MAX, number);
-    let all = all.map_err(|(_, word)| (quoted(word), "a wavelength in nm and a value"))?;
+    let all = all.map_err(|(_, word)| (quoted(word), said!("a wavelength in nm and a value")))?;
     match all[..] {
         [nm, value] => Ok([nm, value]),
-        [_] => Err((quoted(line), "a value after the wavelength")),
+        [_] => Err((quoted(line), said!("a value after the wavelength"))),
         _ => Err((
-            format!("{} numbers", all.len()),
-            "a wavelength in nm and one value",
+            tr!("{all} numbers", all = all.len()),
+            said!("a wavelength in nm and one value"),
         )),
     }
 }

@@ -18,9 +18,9 @@ use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
 /// Precedes the notes in the comments of a file of this program.
-const NOTES_AT: &str = "; notes: ";
+const NOTES_AT: &str = later!("; notes: ");
 
-pub(crate) const FORMAT: Format = Format::new("IES TM-27 .spdx", &["spdx"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("IES TM-27 .spdx"), &["spdx"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -37,8 +37,8 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     if !text.trim_start().starts_with('<') {
-        let expected = "an IES TM-27 .spdx file, which is XML";
-        return Err(input.error_at(1, "text that is no XML", expected));
+        let expected = said!("an IES TM-27 .spdx file, which is XML");
+        return Err(input.error_at(1, said!("text that is no XML"), expected));
     }
     let text = without_declaration(text);
     let document = xml::parse(input, &text)?;
@@ -46,7 +46,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let name = root.tag_name().name();
     if !name.eq_ignore_ascii_case("IESTM2714") {
         let name = quoted(name).replace('"', "");
-        let found = format!("<{name}> as the outermost element");
+        let found = tr!("<{name}> as the outermost element", name);
         return Err(input.error_at(line(root), found, "<IESTM2714>"));
     }
     read_root(input, root)
@@ -70,11 +70,11 @@ fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
 }
 
 fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError> {
-    let header = children(root, "Header").next();
-    let name = field(header, "Description")
+    let header = children(root, said!("Header")).next();
+    let name = field(header, said!("Description"))
         .or_else(|| field(header, "CatalogNumber"))
         .unwrap_or(input.stem());
-    let maker = ["Manufacturer", "Laboratory", "ReportNumber", "ReportDate"]
+    let maker = [said!("Manufacturer"), said!("Laboratory"), "ReportNumber", "ReportDate"]
         .iter()
         .filter_map(|f| field(header, f))
         .collect::<Vec<_>>()
@@ -93,7 +93,7 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             continue;
         };
         spectrum.notes.extend(width);
-        let Some(comments) = field(header, "Comments") else {
+        let Some(comments) = field(header, said!("Comments")) else {
             continue;
         };
         if is_own {
@@ -102,13 +102,13 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             let notes = notes.map(|note| Remark::Before(note.to_owned()));
             facts.remarks.extend(notes);
         } else {
-            let note = format!("comment in the file: {comments}");
+            let note = tr!("comment in the file: {comments}", comments);
             spectrum.notes.push(note);
         }
     }
     if reading.spectra.is_empty() {
-        let expected = "one with <SpectralData> elements";
-        return Err(input.error_at(line(root), "no <SpectralDistribution>", expected));
+        let expected = said!("one with <SpectralData> elements");
+        return Err(input.error_at(line(root), said!("no <SpectralDistribution>"), expected));
     }
     Ok(reading)
 }
@@ -123,16 +123,16 @@ fn read_distribution<'a>(
     let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
     for data in children(node, "SpectralData") {
         let wavelength = data.attribute("wavelength").ok_or_else(|| {
-            let found = "<SpectralData> with no wavelength";
+            let found = said!("<SpectralData> with no wavelength");
             input.error_at(line(data), found, "wavelength=\"nm\"")
         })?;
-        nm.push(xml::number(input, data, wavelength, "a wavelength in nm")?);
+        nm.push(xml::number(input, data, wavelength, said!("a wavelength in nm"))?);
         let value = data.text().unwrap_or("");
         values.push(xml::number(
             input,
             data,
             value,
-            "a number as spectral value",
+            said!("a number as spectral value"),
         )?);
         at.push(data);
     }
@@ -144,7 +144,7 @@ fn read_distribution<'a>(
     raw.source = Some(source.to_owned());
     add_element(input, raw, (node, &at), reading)?;
     let width = field(Some(node), "BandwidthFWHM");
-    Ok(width.map(|width| format!("bandwidth {width} nm (FWHM)")))
+    Ok(width.map(|width| tr!("bandwidth {width} nm (FWHM)", width)))
 }
 
 /// Kind and unit of a spectral quantity; writers put units there too ("W/nm").
@@ -158,7 +158,7 @@ fn quantity(stated: &str) -> (Decision<Kind>, String) {
     let by_words = kinds::kind_of_words(stated);
     let kind = by_words.unwrap_or(Kind::Light);
     let stated_words = quoted(stated);
-    let because = format!("the spectral quantity {stated_words} is none of TM-27's");
+    let because = tr!("the spectral quantity {stated_words} is none of TM-27's", stated_words);
     // Writers put units there too ("W/nm"), which imply as much.
     let kind = Decision::guessed(kind, by_words.is_some(), because);
     (kind, stated.to_owned())

@@ -31,7 +31,7 @@ use crate::io::{Input, ReadError, Reading, budget};
 
 /// Spectral OpenEXR.
 pub(crate) const FORMAT: Format = Format {
-    name: "spectral OpenEXR",
+    name: later!("spectral OpenEXR"),
     extensions: &["exr"],
     sniff,
     read,
@@ -121,8 +121,8 @@ fn wavelength_nm(label: &str) -> Option<f64> {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let broken = |why: Option<String>| {
         let why = why.map_or(String::new(), |why| format!(" ({why})"));
-        let found = format!("a broken OpenEXR image{why}");
-        input.error(found, "one that can be decoded")
+        let found = tr!("a broken OpenEXR image{why}", why);
+        input.error(found, said!("one that can be decoded"))
     };
     let file = ExrImage::open(input.bytes).map_err(broken)?;
     check(input, &file.layers)?;
@@ -131,11 +131,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let largest = file.layers.iter().map(|l| l.block_bytes).max().unwrap_or(0);
     let needed = kept.fold(largest, usize::saturating_add);
     if needed > budget::of(input.bytes.len()) {
-        let found = format!("an image that takes {} to decode", budget::in_words(needed));
+        let found = tr!("an image that takes {in_words} to decode", in_words = budget::in_words(needed));
         return Err(input.error(found, budget::WORDS));
     }
     if pictures.is_empty() {
-        return Err(input.error("fewer than two spectral channels a layer", "two or more"));
+        return Err(input.error(said!("fewer than two spectral channels a layer"), said!("two or more")));
     }
     let many = file.layers.len() > 1;
     let mut of_channel: BTreeMap<[usize; 2], (usize, usize)> = BTreeMap::new();
@@ -161,10 +161,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 fn check(input: &Input, layers: &[Layer]) -> Result<(), ReadError> {
     for layer in layers {
         if layer.is_deep {
-            return Err(input.error("a deep OpenEXR image", "a flat one"));
+            return Err(input.error(said!("a deep OpenEXR image"), said!("a flat one")));
         }
         if layer.channels.iter().any(|channel| !channel.is_full) {
-            return Err(input.error("a channel of fewer samples than pixels", "one a pixel"));
+            return Err(input.error(said!("a channel of fewer samples than pixels"), said!("one a pixel")));
         }
     }
     let channels = layers.iter().flat_map(|layer| &layer.channels);
@@ -174,8 +174,8 @@ fn check(input: &Input, layers: &[Layer]) -> Result<(), ReadError> {
     if names.iter().filter(is_spectral).count() < 2 {
         let names = quoted(&names[..names.len().min(6)].join(" "));
         return Err(input.error(
-            format!("an OpenEXR image of the channels {names}"),
-            "two or more spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\"",
+            tr!("an OpenEXR image of the channels {names}", names),
+            said!("two or more spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\""),
         ));
     }
     Ok(())
@@ -242,12 +242,10 @@ fn pictures_in(layers: &[Layer]) -> Vec<Picture> {
             }
             let mut notes = Vec::new();
             if reradiated > 0 {
-                notes.push(format!(
-                    "bispectral: {reradiated} channels of fluorescence left out, the diagonal read"
-                ));
+                notes.push(tr!("bispectral: {reradiated} channels of fluorescence left out, the diagonal read", reradiated));
             }
             if polarised > 0 {
-                notes.push(format!("{polarised} channels of polarisation left out"));
+                notes.push(tr!("{polarised} channels of polarisation left out", polarised));
             }
             let unit = match kind {
                 Kind::Light => layer.text("emissiveUnits").unwrap_or_default(),
@@ -285,13 +283,13 @@ fn add(
         missing: None,
     };
     let cube = Cube::new(width, height, &places, layout, Arc::new(picture.bytes))
-        .map_err(|error| input.error(error.to_string(), "a whole image"))?;
+        .map_err(|error| input.error(error.to_string(), said!("a whole image")))?;
     let part = match many {
-        true => format!(", layer {}", picture.layer + 1),
+        true => tr!(", layer {layer}", layer = picture.layer + 1),
         false => String::new(),
     };
     let both = match picture.kind == Kind::Reflectance && !reading.images.is_empty() {
-        true => ", reflectance",
+        true => said!(", reflectance"),
         false => "",
     };
     let raw = RawImage {

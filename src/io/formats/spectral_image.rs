@@ -2,6 +2,7 @@
 //! than a picture. Kind and scale are one decision for all pixels, made of the same parts as a
 //! spectrum's.
 
+use crate::languages::fixed;
 use crate::spectrum::cube::Cube;
 use crate::spectrum::{Kind, SpectralImage};
 
@@ -155,16 +156,7 @@ pub(crate) fn guesses_in_words(decisions: &Decisions, of_kind: Remark) -> Vec<St
 
 /// One line about an image.
 fn line_of(cube: &Cube, kind: Kind) -> String {
-    format!(
-        "image of {} x {} pixels, {} bands, {:.1}-{:.1} nm, {}, {} of memory",
-        cube.width(),
-        cube.height(),
-        cube.nm().len(),
-        cube.nm()[0],
-        cube.nm()[cube.nm().len() - 1],
-        kind.word(),
-        budget::in_words(cube.memory()),
-    )
+    tr!("image of {width} x {height} pixels, {nm} bands, {nm_2}-{nm_3} nm, {word}, {memory} of memory", width = cube.width(), height = cube.height(), nm = cube.nm().len(), nm_2 = fixed(cube.nm()[0], 1), nm_3 = fixed(cube.nm()[cube.nm().len() - 1], 1), word = kind.word(), memory = budget::in_words(cube.memory()))
 }
 
 /// Adds the pixels of an image of patches.

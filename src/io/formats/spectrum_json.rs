@@ -16,7 +16,7 @@ use crate::io::reading::remark::Remark;
 use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format::new("spectrum JSON", &["json"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("spectrum JSON"), &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     super::own_json(input, FORMAT_WORD)
@@ -26,17 +26,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
     let file: SpectrumFile = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
     if file.format != FORMAT_WORD {
-        let found = format!("\"format\": {}", quoted(&file.format));
+        let found = tr!("\"format\": {quoted}", quoted = quoted(&file.format));
         return Err(input.error(found, format!("\"{FORMAT_WORD}\"")));
     }
     if file.version != VERSION {
-        let found = format!("version {}", file.version);
-        return Err(input.error(found, format!("version {VERSION}")));
+        let found = tr!("version {version}", version = file.version);
+        return Err(input.error(found, tr!("version {VERSION}", VERSION)));
     }
     let (wavelengths, numbers) = (file.wavelengths_nm.len(), file.values.len());
     if wavelengths != numbers {
-        let found = format!("{wavelengths} wavelengths and {numbers} values");
-        return Err(input.error(found, "one value for each wavelength"));
+        let found = tr!("{wavelengths} wavelengths and {numbers} values", wavelengths, numbers);
+        return Err(input.error(found, said!("one value for each wavelength")));
     }
     let kind = Decision::of_format(file.kind);
     let (name, nm) = (input.named(&file.name), &file.wavelengths_nm);

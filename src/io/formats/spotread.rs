@@ -17,7 +17,7 @@ use crate::io::text::{kept_line, lines};
 use crate::io::{Decision, Input, MakersResult, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("Argyll spotread output", &[], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("Argyll spotread output"), &[], sniff, read);
 
 /// Most bands that one measurement may state.
 const MOST_BANDS: usize = 100_000;
@@ -56,7 +56,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             let cells = cells.filter(|c| !c.trim().is_empty());
             for cell in cells.take(bands - values.len()) {
                 let Cell::Number(value) = number::parse(cell, false) else {
-                    let expected = format!("{bands} values, {} were there", values.len());
+                    let expected = tr!("{bands} values, {values} were there", bands, values = values.len());
                     return Err(input.error_at(line, quoted(cell), expected));
                 };
                 values.push(value);
@@ -66,7 +66,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             }
             let step = |band: usize| (last - first) * band as f64 / (bands - 1) as f64;
             let nm: Vec<f64> = (0..bands).map(|band| first + step(band)).collect();
-            let kind = Decision::guessed(Kind::Light, false, "spotread does not print the kind");
+            let kind = Decision::guessed(Kind::Light, false, said!("spotread does not print the kind"));
             let values = std::mem::take(&mut values);
             let spectrum = RawSpectrum {
                 lines: &[kept_line(at)],
@@ -85,8 +85,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if reading.spectra.is_empty() {
         return Err(input.error(
-            "what Argyll's spotread printed (XYZ, Lab, CCT, Ra) and no spectrum in it",
-            "the spectrum that spotread saves (its key S, or chartread's .ti3)",
+            said!("what Argyll's spotread printed (XYZ, Lab, CCT, Ra) and no spectrum in it"),
+            said!("the spectrum that spotread saves (its key S, or chartread's .ti3)"),
         ));
     }
     Ok(reading)
@@ -101,7 +101,7 @@ fn results(spectrum: usize, line: &str) -> Vec<MakersResult> {
         .collect();
     let of_pair = |pair: &[&str]| {
         let key = match pair[0] {
-            "Ambient" => "Illuminance [lx]",
+            "Ambient" => said!("Illuminance [lx]"),
             key @ ("CCT" | "Duv" | "Ra" | "Rf" | "Rg" | "R9") => key,
             _ => return None,
         };

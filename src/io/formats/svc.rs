@@ -19,7 +19,7 @@ use crate::io::text::{lines, number};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("SVC .sig", &["sig"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("SVC .sig"), &["sig"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();
@@ -48,21 +48,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     let mut rows = Rows::default();
-    let expected = "a wavelength, reference, target and reflectance";
+    let expected = said!("a wavelength, reference, target and reflectance");
     for (line, row) in content {
         let cells = row.split(|c: char| c.is_whitespace() || c == ';');
         let number = |cell: &str| number::parse(cell, cell.contains(',')).value();
         let row = numbers(cells, 5, number).map_err(|(before, cell)| {
-            let expected = format!("a number in column {}", before + 1);
+            let expected = tr!("a number in column {before}", before = before + 1);
             input.error_at(line, quoted(cell), expected)
         })?;
         if !rows.add(line, &row) || !(2..=4).contains(&row.len()) {
-            return Err(input.error_at(line, format!("{} numbers", row.len()), expected));
+            return Err(input.error_at(line, tr!("{row} numbers", row = row.len()), expected));
         }
     }
     if rows.lines.is_empty() {
-        let found = "a Spectra Vista header and no rows behind \"data=\"";
-        return Err(input.error(found, format!("{expected} in each row")));
+        let found = said!("a Spectra Vista header and no rows behind \"data=\"");
+        return Err(input.error(found, tr!("{expected} in each row", expected)));
     }
     let width = rows.columns.len();
     let name = name.rsplit(['/', '\\']).next().unwrap_or("");
@@ -87,8 +87,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let word = units.get(index).or(units.first()).copied().unwrap_or("");
         let unit = match word.to_lowercase().as_str() {
             // The instrument's manual: 1e-10 W cm-2 nm-1 sr-1.
-            "radiance" => "1e-10 W cm-2 nm-1 sr-1",
-            "irradiance" => "1e-10 W cm-2 nm-1",
+            "radiance" => said!("1e-10 W cm-2 nm-1 sr-1"),
+            "irradiance" => said!("1e-10 W cm-2 nm-1"),
             _ => word,
         };
         let called = match width {
@@ -97,7 +97,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         };
         let spectrum = RawSpectrum {
             lines: &rows.lines,
-            notes: vec![format!("the {role}, in the file's units \"{word}\"")],
+            notes: vec![tr!("the {role}, in the file's units \"{word}\"", role, word)],
             ..RawSpectrum::light(called, &nm, values, unit)
         };
         interpret(spectrum, input, &mut reading)?;

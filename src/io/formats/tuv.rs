@@ -16,7 +16,7 @@ use crate::io::text::lines;
 use crate::io::text::number::{self, Cell};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format::new("TUV report", &["txt"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("TUV report"), &["txt"], sniff, read);
 
 fn is_title(line: &str) -> bool {
     let upper = line.to_uppercase();
@@ -29,7 +29,7 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let (mut titles, mut unit, mut sun) = (Vec::new(), "W m-2 nm-1", None);
+    let (mut titles, mut unit, mut sun) = (Vec::new(), said!("W m-2 nm-1"), None);
     let mut content = lines(text).map(|(line, content)| (line, content.trim()));
     for (_, line) in content.by_ref() {
         if is_title(line) {
@@ -58,22 +58,22 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
         let number = |word: &str| number::parse(word, false).plain_value();
         let row = numbers(row.split_whitespace(), 22, number)
-            .map_err(|(_, word)| input.error_at(line, quoted(word), "a number"))?;
+            .map_err(|(_, word)| input.error_at(line, quoted(word), said!("a number")))?;
         if !rows.add(line, &row) || row.len() < 3 {
-            let expected = "the band's ends and a value for each title";
-            return Err(input.error_at(line, format!("{} numbers", row.len()), expected));
+            let expected = said!("the band's ends and a value for each title");
+            return Err(input.error_at(line, tr!("{row} numbers", row = row.len()), expected));
         }
     }
     if rows.lines.is_empty() {
-        let found = "a TUV report with no rows in its table";
-        return Err(input.error(found, "bands and their irradiance"));
+        let found = said!("a TUV report with no rows in its table");
+        return Err(input.error(found, said!("bands and their irradiance")));
     }
     let bands = rows.columns[0].iter().zip(&rows.columns[1]);
     let nm: Vec<f64> = bands.map(|(from, to)| 0.5 * (from + to)).collect();
     let mut columns: Vec<(String, usize)> = (2..rows.columns.len())
         .map(|column| match titles.get(column - 2) {
             Some(title) => (title.to_lowercase(), column),
-            None => (format!("column {}", column + 1), column),
+            None => (tr!("column {column}", column = column + 1), column),
         })
         .collect();
     columns.sort_by_key(|(title, _)| !title.to_uppercase().contains("TOTAL"));
@@ -81,10 +81,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for (title, column) in columns {
         let name = format!("{}, {title}", input.stem());
         let values = rows.take(column);
-        let angle = sun.map(|angle| format!("solar zenith angle {angle} degrees"));
+        let angle = sun.map(|angle| tr!("solar zenith angle {angle} degrees", angle));
         let spectrum = RawSpectrum {
             lines: &rows.lines,
-            how: vec!["middles of bands".to_owned()],
+            how: vec![said!("middles of bands").to_owned()],
             notes: angle.into_iter().collect(),
             ..RawSpectrum::light(name, &nm, values, unit)
         };

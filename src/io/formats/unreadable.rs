@@ -5,37 +5,37 @@ use crate::io::decode::archive::names;
 use crate::io::{Input, ReadError, Reading};
 
 /// Recognises files of other kinds so that they are refused in plain words.
-pub(crate) const FORMAT: Format = Format::new("a format that is not read", &[], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("a format that is not read"), &[], sniff, read);
 
 /// Expectations in refusals: ways to obtain a readable file.
-const AS_CSV: &str = "a format that is read; save it as CSV or text first";
+const AS_CSV: &str = later!("a format that is read; save it as CSV or text first");
 const FROM_MAKER: &str =
-    "a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it";
-const WITH_HEADER: &str = "a header .hdr of the same name beside it";
-const A_SPECTRUM: &str = "a file with a spectrum";
+    later!("a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it");
+const WITH_HEADER: &str = later!("a header .hdr of the same name beside it");
+const A_SPECTRUM: &str = later!("a file with a spectrum");
 
 /// First bytes of known files, the type of file, and the input expected instead.
 const MAGIC: [(&[u8], &str, &str); 12] = [
-    (b"\x89PNG\r\n\x1a\n", "a PNG image", A_SPECTRUM),
-    (b"\xff\xd8\xff", "a JPEG image", A_SPECTRUM),
-    (b"%PDF-", "a PDF document", AS_CSV),
+    (b"\x89PNG\r\n\x1a\n", later!("a PNG image"), A_SPECTRUM),
+    (b"\xff\xd8\xff", later!("a JPEG image"), A_SPECTRUM),
+    (b"%PDF-", later!("a PDF document"), AS_CSV),
     (
         b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
-        "an old Microsoft Office file (.xls, .doc)",
+        later!("an old Microsoft Office file (.xls, .doc)"),
         AS_CSV,
     ),
-    (b"II*\0", "a TIFF image", A_SPECTRUM),
-    (b"MM\0*", "a TIFF image", A_SPECTRUM),
-    (b"GIF8", "a GIF image", A_SPECTRUM),
-    (b"\x89HDF\r\n\x1a\n", "an HDF5 file", AS_CSV),
-    (b"\n\n\xfe\xfe", "a Bruker OPUS binary spectrum", FROM_MAKER),
+    (b"II*\0", later!("a TIFF image"), A_SPECTRUM),
+    (b"MM\0*", later!("a TIFF image"), A_SPECTRUM),
+    (b"GIF8", later!("a GIF image"), A_SPECTRUM),
+    (b"\x89HDF\r\n\x1a\n", later!("an HDF5 file"), AS_CSV),
+    (b"\n\n\xfe\xfe", later!("a Bruker OPUS binary spectrum"), FROM_MAKER),
     (
         b"AVS8",
-        "an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)",
+        later!("an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)"),
         FROM_MAKER,
     ),
-    (b"PEPE", "a PerkinElmer binary spectrum (.sp)", FROM_MAKER),
-    (b"\x1f\x8b", "a gzip archive", "the file inside it"),
+    (b"PEPE", later!("a PerkinElmer binary spectrum (.sp)"), FROM_MAKER),
+    (b"\x1f\x8b", later!("a gzip archive"), later!("the file inside it")),
 ];
 
 fn sniff(input: &Input) -> Confidence {
@@ -43,7 +43,7 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let (found, expected) = known(input).unwrap_or(("binary data", A_SPECTRUM));
+    let (found, expected) = known(input).unwrap_or((said!("binary data"), A_SPECTRUM));
     Err(input.error(found, expected))
 }
 
@@ -59,11 +59,11 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
     let bytes = input.bytes;
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
         return Some(if names(bytes, "opendocument.spreadsheet") {
-            ("an OpenDocument table (.ods)", AS_CSV)
+            (said!("an OpenDocument table (.ods)"), AS_CSV)
         } else if names(bytes, "word/document.xml") {
-            ("a Word document", AS_CSV)
+            (said!("a Word document"), AS_CSV)
         } else {
-            ("a zip archive", "the file inside it")
+            (said!("a zip archive"), said!("the file inside it"))
         });
     }
     let magic = MAGIC.iter().find(|(magic, ..)| bytes.starts_with(magic));
@@ -71,9 +71,9 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
         return Some((found, expected));
     }
     if is_asd(bytes) {
-        return Some(("an ASD binary spectrum (.asd)", FROM_MAKER));
+        return Some((said!("an ASD binary spectrum (.asd)"), FROM_MAKER));
     }
-    is_galactic(input).then_some(("a Galactic .spc spectrum", FROM_MAKER))
+    is_galactic(input).then_some((said!("a Galactic .spc spectrum"), FROM_MAKER))
 }
 
 /// ASD's files begin with the version of their layout, "ASD" at first, later "as2" to "as8", and
@@ -93,9 +93,9 @@ fn is_galactic(input: &Input) -> bool {
 fn known_binary(input: &Input) -> (&'static str, &'static str) {
     let envi = ["sli", "esl", "bil", "bip", "bsq", "img"];
     if envi.iter().any(|e| input.has_extension(e)) {
-        ("ENVI data without their header", WITH_HEADER)
+        (said!("ENVI data without their header"), WITH_HEADER)
     } else {
-        ("binary data of no kind known here", A_SPECTRUM)
+        (said!("binary data of no kind known here"), A_SPECTRUM)
     }
 }
 
@@ -106,16 +106,16 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     let starts = |words: &[&str]| words.iter().any(|word| lower.starts_with(word));
     let spdx = ["SPDXVersion", "spdxVersion", "spdx.org/rdf"];
     if spdx.iter().any(|word| head.contains(word)) {
-        let expected = "an IES TM-27 .spdx spectrum";
-        Some(("an SPDX software licence document", expected))
-    } else if starts(&["<!doctype html", "<html", "<br"]) {
-        Some(("a web page (HTML)", A_SPECTRUM))
+        let expected = said!("an IES TM-27 .spdx spectrum");
+        Some((said!("an SPDX software licence document"), expected))
+    } else if starts(&[said!("<!doctype html"), "<html", "<br"]) {
+        Some((said!("a web page (HTML)"), A_SPECTRUM))
     } else if starts(&["<svg"]) || lower.contains("<svg ") && starts(&["<?xml"]) {
-        Some(("an SVG drawing", A_SPECTRUM))
+        Some((said!("an SVG drawing"), A_SPECTRUM))
     } else if first.trim_start_matches('"').starts_with("TOA5") {
-        Some(("a data logger's table over time (TOA5)", A_SPECTRUM))
+        Some((said!("a data logger's table over time (TOA5)"), A_SPECTRUM))
     } else if first.starts_with("{\\rtf") {
-        Some(("a rich text document (.rtf)", AS_CSV))
+        Some((said!("a rich text document (.rtf)"), AS_CSV))
     } else {
         None
     }

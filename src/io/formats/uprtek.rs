@@ -30,10 +30,10 @@ pub(crate) const FORMAT: Format = Format::new(
 
 /// LI-COR's meter, which is built from UPRtek's and writes the same.
 pub(crate) const LI_180: Format = Format::new(
-    "LI-COR LI-180",
+    later!("LI-COR LI-180"),
     &["txt", "xls"],
     |input| Confidence::certain_if(is_li180(input) && is_meter(input)),
-    |input| read(input, "the LI-180's"),
+    |input| read(input, later!("the LI-180's")),
 );
 
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
@@ -49,7 +49,7 @@ fn is_meter(input: &Input) -> bool {
             behind.any(|rest| rest.starts_with(['\t', ';', ',', '"']))
         })
     };
-    let model = has_key(20, &["model name", "model"]);
+    let model = has_key(20, &[said!("model name"), "model"]);
     let known = has_key(usize::MAX, &["lambdap", "lambdapvalue", "i-time", "tlmf-a"]);
     // A model's name alone is written by any program.
     let results = || has_key(usize::MAX, &["lux", "cct", "ppfd", "pfd", "irr"]);
@@ -70,8 +70,8 @@ fn is_li180(input: &Input) -> bool {
 /// [`ReadError`] for a file without points, or with a word for a value.
 fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let none = format!("{makers} results and no spectrum");
-    let none = [&*none, "lines such as \"380nm\", TAB and a value"];
+    let none = tr!("{makers} results and no spectrum", makers);
+    let none = [&*none, said!("lines such as \"380nm\", TAB and a value")];
     let found = KeyedLines::of_meter(input, text, none)?;
     let nm = found.nm();
     reading_of(input, &found, 0..nm.len(), |column, values, results| {
@@ -79,7 +79,7 @@ fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
         let peak = peak.and_then(|value| number::number(value, false));
         let (unit, because) = match peak {
             Some(peak) if is_over_its_peak(&values, peak) => {
-                let because = format!("values over the largest, which is {peak} by the maker");
+                let because = tr!("values over the largest, which is {peak} by the maker", peak);
                 ("", because)
             }
             _ => unit(nm, &values, results, makers),
@@ -96,7 +96,7 @@ fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
             spectrum.notes.push(PHOTON_NOTE.to_owned());
         }
         if let Some(model) = found.get("model name") {
-            spectrum.notes.push(format!("measured with a {model}"));
+            spectrum.notes.push(tr!("measured with a {model}", model));
         }
         spectrum
     })
@@ -126,9 +126,9 @@ fn unit(
     // Photosynthesis counts 400-700 nm only.
     let of_plants = total_of(400.0..=700.0);
     for (quantity, total, unit) in [
-        (Quantity::Irradiance, 1e-3 * total, "mW m-2 nm-1"),
-        (Quantity::Irradiance, total, "W m-2 nm-1"),
-        (Quantity::Irradiance, 1e-2 * total, "µW cm-2 nm-1"),
+        (Quantity::Irradiance, 1e-3 * total, said!("mW m-2 nm-1")),
+        (Quantity::Irradiance, total, said!("W m-2 nm-1")),
+        (Quantity::Irradiance, 1e-2 * total, said!("µW cm-2 nm-1")),
         (Quantity::Pfd, total, PHOTONS),
         (Quantity::Ppfd, of_plants, PHOTONS),
     ] {
@@ -139,10 +139,10 @@ fn unit(
         {
             let counted = if unit == PHOTONS { "photons" } else { unit };
             let of = quantity.usual_unit();
-            let total = format!("the total is the maker's {quantity} of {stated} {of}");
-            return (unit, format!("counted in {counted}: {total}"));
+            let total = tr!("the total is the maker's {quantity} of {stated} {of}", quantity, stated, of);
+            return (unit, tr!("counted in {counted}: {total}", counted, total));
         }
     }
-    let because = format!("mW m-2 nm-1 is {makers} unit; the file states none");
-    ("mW m-2 nm-1", because)
+    let because = tr!("mW m-2 nm-1 is {makers} unit; the file states none", makers);
+    (said!("mW m-2 nm-1"), because)
 }

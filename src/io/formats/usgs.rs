@@ -20,7 +20,7 @@ use crate::io::text::number::{self, Cell};
 use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("USGS splib07", &["txt"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("USGS splib07"), &["txt"], sniff, read);
 
 /// Channels of an ASD, 350-2500 nm every nanometre.
 const ASD_CHANNELS: usize = 2151;
@@ -46,7 +46,7 @@ fn list<'a>(name: &str, text: &'a str) -> Result<(&'a str, Rows), ReadError> {
     let mut rows = Rows::default();
     for (line, content) in content {
         let value = number::parse(content, false).plain_value();
-        let bad = || ReadError::new(name, quoted(content), "one number").at_line(line);
+        let bad = || ReadError::new(name, quoted(content), said!("one number")).at_line(line);
         rows.add(line, &[value.ok_or_else(bad)?]);
     }
     Ok((title, rows))
@@ -54,7 +54,7 @@ fn list<'a>(name: &str, text: &'a str) -> Result<(&'a str, Rows), ReadError> {
 
 /// Words for spectrometers in titles and file names: ASDFRa and ASDHRb are ASD.
 const SPECTROMETERS: &str =
-    "ASD BECK NIC4 AVIRIS HYMAP HYPERION VIMS CRISM ASTER LANDSAT SENTINEL WORLDVIEW";
+    later!("ASD BECK NIC4 AVIRIS HYMAP HYPERION VIMS CRISM ASTER LANDSAT SENTINEL WORLDVIEW");
 
 /// The spectrometer's word in a title or file name, upper case.
 fn spectrometer(title: &str) -> Option<&'static str> {
@@ -110,29 +110,25 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let first = lower.split_whitespace().next().unwrap_or("");
     let of_axis = ["wavelength", "bandpass", "wavenumber"];
     if of_axis.iter().any(|word| first.starts_with(word)) {
-        let found = format!("a list of the library's {first}");
-        let expected = "the spectrum that it belongs to; it is read from beside";
+        let found = tr!("a list of the library's {first}", first);
+        let expected = said!("the spectrum that it belongs to; it is read from beside");
         return Err(input.error(found, expected));
     }
     let path = input.path.as_deref();
     let found = path.and_then(|path| beside(path, channels, title));
     let asd = spectrometer(title).is_none_or(|word| word == "ASD");
     let (nm, note) = match found {
-        Some((file, nm)) => (nm, format!("wavelengths from {file}")),
+        Some((file, nm)) => (nm, tr!("wavelengths from {file}", file)),
         None if channels == ASD_CHANNELS && asd => (
             (0..channels).map(|i| 350.0 + i as f64).collect(),
-            format!(
-                "no wavelengths beside; {channels} channels of an ASD are 350 to 2500 nm every nanometre"
-            ),
+            tr!("no wavelengths beside; {channels} channels of an ASD are 350 to 2500 nm every nanometre", channels),
         ),
         None => {
-            let word = spectrometer(title).unwrap_or("the spectrometer");
-            let found = format!("{channels} lines of one number each and no wavelengths beside");
+            let word = spectrometer(title).unwrap_or(said!("the spectrometer"));
+            let found = tr!("{channels} lines of one number each and no wavelengths beside", channels);
             let file = word.replace("the spectrometer", "");
-            let expected = format!(
-                "the library's file of wavelengths of {word} in the same folder \
-                 (splib07a_Wavelengths_{file}..._{channels}_ch.txt)"
-            );
+            let expected = tr!("the library's file of wavelengths of {word} in the same folder \
+                 (splib07a_Wavelengths_{file}..._{channels}_ch.txt)", word, file, channels);
             return Err(input.error(found, expected));
         }
     };
@@ -142,7 +138,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ["SRF", ..] => Decision::of_format(Kind::Weighting),
         [.., last] if last.ends_with("REF") => Decision::of_format(Kind::Reflectance),
         _ => {
-            let because = "the library mostly holds reflectances";
+            let because = said!("the library mostly holds reflectances");
             Decision::guessed(Kind::Reflectance, false, because)
         }
     };

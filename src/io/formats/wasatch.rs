@@ -17,14 +17,14 @@ use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new("Wasatch ENLIGHTEN JSON", &["json"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("Wasatch ENLIGHTEN JSON"), &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let mut keys = [
-        "ENLIGHTEN Version",
+        said!("ENLIGHTEN Version"),
         "spectrometerSettings",
-        "Measurement ID",
+        said!("Measurement ID"),
     ]
     .iter();
     let mut is_marked = || keys.any(|key| head.contains(&format!("\"{key}\"")));
@@ -49,21 +49,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let list = value.get("spectrum")?.as_object()?.get(key)?;
         list.is_array().then_some((key, list))
     };
-    let mut keys = ["Processed", "processed", "Raw", "raw"].into_iter();
+    let mut keys = [said!("Processed"), "processed", said!("Raw"), "raw"].into_iter();
     let (which, list) = keys.find_map(list).ok_or_else(|| {
-        let expected = "\"spectrum\": {\"Processed\": [...]}";
-        input.error("ENLIGHTEN JSON without a processed spectrum", expected)
+        let expected = said!("\"spectrum\": {\"Processed\": [...]}");
+        input.error(said!("ENLIGHTEN JSON without a processed spectrum"), expected)
     })?;
     let values = numbers(input, list, which)?;
     let mut notes = Vec::new();
     let nm = match value.pointer("/spectrometerSettings/wavelengths") {
         Some(list) if list.is_array() => numbers(input, list, "wavelengths")?,
         _ => {
-            let note = "wavelengths computed from the spectrometer's coefficients";
+            let note = said!("wavelengths computed from the spectrometer's coefficients");
             notes.push(note.to_owned());
             by_polynomial(&value, values.len()).ok_or_else(|| {
-                let expected = "\"spectrometerSettings\": {\"wavelengths\": [...]}";
-                input.error("ENLIGHTEN JSON without wavelengths", expected)
+                let expected = said!("\"spectrometerSettings\": {\"wavelengths\": [...]}");
+                input.error(said!("ENLIGHTEN JSON without wavelengths"), expected)
             })?
         }
     };
@@ -76,8 +76,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let start = start.filter(|start| *start <= left && left > 0);
     let nm = &nm[start.unwrap_or(0)..];
     if nm.len() != values.len() {
-        let found = format!("{} wavelengths and {} values", nm.len(), values.len());
-        return Err(input.error(found, "as many of each"));
+        let found = tr!("{nm} wavelengths and {values} values", nm = nm.len(), values = values.len());
+        return Err(input.error(found, said!("as many of each")));
     }
     let technique = word(&value, "/metadata/Technique").unwrap_or("");
     let lower = technique.to_lowercase();
@@ -91,10 +91,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let (_, kind, scale, unit) = *known.unwrap_or(&kinds[3]);
     let name = word(&value, "/metadata/Label").unwrap_or(input.stem());
     if !technique.is_empty() {
-        notes.push(format!("technique: {technique}"));
+        notes.push(tr!("technique: {technique}", technique));
     }
     if which.eq_ignore_ascii_case("processed") {
-        notes.push("raw and dark readings beside it were left out".to_owned());
+        notes.push(said!("raw and dark readings beside it were left out").to_owned());
     }
     let mut spectrum = RawSpectrum::known(name, nm, values, Decision::of_format(kind), unit);
     spectrum.known.scale = KnownScale::Stated(scale);

@@ -19,7 +19,7 @@ use crate::io::text::dialect::Dialect;
 use crate::io::text::number::{self, Cell as Number};
 use crate::io::{Choices, Input, ReadError, Reading, budget};
 
-pub(crate) const FORMAT: Format = Format::new("Excel workbook", &["xlsx", "xlsm"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new(later!("Excel workbook"), &["xlsx", "xlsm"], sniff, read);
 
 /// Shares of the memory that parts of the archive ([`part_of`]) may unpack to, by their memory once
 /// the workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
@@ -129,22 +129,22 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     if reading.spectra.is_empty() {
-        let nothing = || input.error("a workbook without cells", "a sheet with a table");
+        let nothing = || input.error(said!("a workbook without cells"), said!("a sheet with a table"));
         let first = refusals.into_iter().next().map(|(_, why)| why);
         return Err(first.unwrap_or_else(nothing));
     }
     let hidden = hidden.iter().take(MOST_NOTED);
-    let unread = |title| format!("sheet {title} is hidden and was not read");
+    let unread = |title| tr!("sheet {title} is hidden and was not read", title);
     reading.notes.extend(hidden.map(unread));
     let refusals = refusals.iter().take(MOST_NOTED);
     let left_out =
-        |(title, why): &(_, ReadError)| format!("sheet {title} left out: found {}", why.found);
+        |(title, why): &(_, ReadError)| tr!("sheet {title} left out: found {found}", title, found = why.found);
     reading.notes.extend(refusals.map(left_out));
     Ok(reading)
 }
 
 fn broken(input: &Input, why: &str) -> ReadError {
-    input.error(format!("a broken workbook ({why})"), "a whole one")
+    input.error(tr!("a broken workbook ({why})", why), said!("a whole one"))
 }
 
 /// The visible sheets by their names, and the names of the hidden ones.
@@ -152,7 +152,7 @@ type Sheets = (Vec<(String, Sheet)>, Vec<String>);
 
 fn sheets(input: &Input) -> Result<Sheets, ReadError> {
     let broken = |error: calamine::XlsxError| broken(input, &error.to_string());
-    let too_many = || input.error("far more cells than its size allows", budget::WORDS);
+    let too_many = || input.error(said!("far more cells than its size allows"), budget::WORDS);
     let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
     let mut left = budget::of(input.bytes.len()) / 2;
     let mut sheets = Vec::new();
@@ -202,13 +202,13 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
     numbers.retain(|_, count| *count >= FEWEST_NUMBERS);
     let places: BTreeMap<u32, usize> = numbers.into_keys().zip(0..).collect();
     let most = budget::of(input.bytes.len()) / 8;
-    let far = || input.error("a sheet far larger than its file", budget::WORDS);
+    let far = || input.error(said!("a sheet far larger than its file"), budget::WORDS);
     let (mut text, mut aside) = (String::new(), Vec::new());
     let (mut row, mut place) = (0, 0);
     for ((cell_row, column), cell) in sheet {
         let Some(cell_place) = places.get(column) else {
             if aside.len() < MOST_NOTED {
-                aside.push(format!("beside the table: {}", cell.text));
+                aside.push(tr!("beside the table: {text}", text = cell.text));
             }
             continue;
         };
@@ -231,9 +231,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
     text.push('\n');
     let commas = sheet.values().filter(|cell| cell.had_comma).count();
     if commas > 0 {
-        aside.push(format!(
-            "numbers typed as text with a decimal comma: {commas} cells"
-        ));
+        aside.push(tr!("numbers typed as text with a decimal comma: {commas} cells", commas));
     }
     Ok((text, aside))
 }

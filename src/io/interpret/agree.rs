@@ -5,6 +5,7 @@ use crate::io::Reading;
 use crate::io::choices::Counted;
 use crate::io::reading::decision::{Decision, Decisions, Origin};
 use crate::io::reading::facts::Facts;
+use crate::languages::fixed;
 use crate::spectrum::Kind;
 
 /// Takes what was guessed to be a fraction for per cent where others of its kind in the file were
@@ -48,7 +49,10 @@ fn count_alike(kind: Kind, reading: &mut Reading) {
         return;
     }
     let to_fraction = Counted::Percent.scale().unwrap_or(1.0);
-    let reason = format!("others in the file reach {:.3}", highest / to_fraction);
+    let reason = tr!(
+        "others in the file reach {highest}",
+        highest = fixed(highest / to_fraction, 3)
+    );
     let spectra = reading.spectra.iter_mut().zip(&mut reading.facts);
     for (spectrum, facts) in spectra.filter(|(_, facts)| guessed(facts, Counted::Fraction)) {
         spectrum.samples = spectrum.samples.scaled(to_fraction);

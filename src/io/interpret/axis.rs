@@ -6,6 +6,7 @@ use crate::io::text::units::{
     WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
 };
 use crate::io::text::words::holds_one;
+use crate::languages::{fixed, with_sign};
 
 /// The known properties of an axis.
 #[derive(Clone, Copy)]
@@ -91,6 +92,22 @@ pub(crate) fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
     units
 }
 
+/// Where an axis' unit is named.
+#[derive(Clone, Copy)]
+enum Whence {
+    Title,
+    Header,
+}
+
+impl Whence {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Title => said!("the column's title"),
+            Self::Header => said!("the header"),
+        }
+    }
+}
+
 /// The unit of an axis. A stated unit that makes nonsense of the numbers (under 1 nm or over
 /// 1 mm) is passed over; one that takes numbers which would be plausible nanometres to where hardly
 /// any light is measured is a guess: a length is then taken for nanometres, other quantities for
@@ -99,6 +116,7 @@ pub(crate) fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
 /// With it another unit that the file names, which makes no sense or is not known here.
 pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     let (min, max) = axis.range;
+    let [from, to] = [min, max].map(|x| with_sign(x.to_string()));
     let ends = |unit: WavelengthUnit| {
         let (a, b) = (unit.to_nm(min), unit.to_nm(max));
         (a.min(b), a.max(b))
@@ -107,27 +125,42 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     let is_plausible = |(low, high): (f64, f64)| low >= PLAUSIBLE_NM.0 && high <= PLAUSIBLE_NM.1;
     let guess = |unit, because: &str| Decision::guessed(unit, false, because);
     if axis.says_nm {
-        let labels = Decision::stated(WavelengthUnit::Nanometre, "the file's own labels");
+        let labels = Decision::stated(WavelengthUnit::Nanometre, said!("the file's own labels"));
         return (labels, None);
     }
-    let by_title = WavelengthUnit::of_title(axis.title).map(|unit| (unit, "the column's title"));
+    let by_title = WavelengthUnit::of_title(axis.title).map(|unit| (unit, Whence::Title));
     // A header may speak of the wave numbers in a column beside the wavelengths.
     let of_lengths = is_of_lengths(axis.title);
     let by_header = || {
         let units = axis.header.iter();
         let fitting = units.filter(|unit| unit.is_length() || !of_lengths);
-        fitting.map(|unit| (*unit, "the header"))
+        fitting.map(|unit| (*unit, Whence::Header))
     };
     let named = || by_title.into_iter().chain(by_header());
     if let Some((unit, whence)) = named().find(|(unit, _)| makes_sense(unit)) {
         if is_plausible(ends(unit)) || !is_plausible((min, max)) {
-            return (Decision::stated(unit, whence), None);
+            return (Decision::stated(unit, whence.words()), None);
         }
         let (low, high) = ends(unit);
-        let because = format!(
-            "{whence} says {}, which makes {low:.4} to {high:.4} nm of {min} to {max}",
-            unit.word()
-        );
+        let (low, high, unit_word) = (fixed(low, 4), fixed(high, 4), unit.word());
+        let because = match whence {
+            Whence::Title => tr!(
+                "the column's title says {unit}, which makes {low} to {high} nm of {min} to {max}",
+                unit = unit_word,
+                low,
+                high,
+                min = from,
+                max = to
+            ),
+            Whence::Header => tr!(
+                "the header says {unit}, which makes {low} to {high} nm of {min} to {max}",
+                unit = unit_word,
+                low,
+                high,
+                min = from,
+                max = to
+            ),
+        };
         return if unit.is_length() {
             let other = unit.word().to_owned();
             (guess(WavelengthUnit::Nanometre, &because), Some(other))
@@ -136,31 +169,44 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
         };
     }
     if axis.is_dpt {
-        let because = "Bruker's .dpt tables mostly count wave numbers; flip it if these are nm";
+        let because =
+            said!("Bruker's .dpt tables mostly count wave numbers; flip it if these are nm");
         return (guess(WavelengthUnit::PerCentimetre, because), None);
     }
     let of_range = WavelengthUnit::of_range(min, max);
     if let Some(unit) = of_range.and_then(|unit| by_steps(axis, unit)) {
-        let because = format!("the range {min} to {max} and its steps, even in nm");
+        let because = tr!(
+            "the range {from} to {to} and its steps, even in nm",
+            from,
+            to
+        );
         return (guess(unit, &because), None);
     }
     let guessed = match of_range {
         Some(WavelengthUnit::PerCentimetre) if is_visible_in_angstrom(axis) => {
-            let because = format!("the range {min} to {max} at even steps, visible light in Å");
+            let because = tr!(
+                "the range {from} to {to} at even steps, visible light in Å",
+                from,
+                to
+            );
             guess(WavelengthUnit::Angstrom, &because)
         }
         Some(WavelengthUnit::PerCentimetre) if of_lengths => {
-            let because = format!("wavelengths in the range {min} to {max}");
+            let because = tr!("wavelengths in the range {from} to {to}", from, to);
             guess(WavelengthUnit::Angstrom, &because)
         }
-        Some(unit) => guess(unit, &format!("the range {min} to {max}")),
+        Some(unit) => guess(unit, &tr!("the range {from} to {to}", from, to)),
         None if looks_like_metres(min, max) => {
-            let because = format!("the range {min:e} to {max:e}");
+            let because = tr!(
+                "the range {from} to {to}",
+                from = with_sign(format!("{min:e}")),
+                to = with_sign(format!("{max:e}"))
+            );
             guess(WavelengthUnit::Metre, &because)
         }
         None => guess(
             WavelengthUnit::Nanometre,
-            &format!("no unit fits the range {min} to {max} well"),
+            &tr!("no unit fits the range {from} to {to} well", from, to),
         ),
     };
     let nonsense = by_title.map(|(unit, _)| unit.word().to_owned());

@@ -1,7 +1,7 @@
 //! From the numbers of a file to a spectrum: order, doubles and gaps.
 
-use crate::io::many::many;
 use crate::io::text::number::is_measured;
+use crate::languages::with_sign;
 use crate::spectrum::Sampled;
 
 /// Most samples of one spectrum.
@@ -44,11 +44,11 @@ impl Trouble {
     }
 
     fn too_few(points: usize, missing: usize) -> Self {
-        let points = many(points, "point", "points");
-        let found = format!("{points} with a wavelength and a value");
+        let found = tr!("{n} point with a wavelength and a value"
+            | "{n} points with a wavelength and a value" % points);
         let expected = match missing {
-            0 => "at least 2",
-            _ => "at least 2 (numbers of 1e30 and more stand for missing values)",
+            0 => said!("at least 2"),
+            _ => said!("at least 2 (numbers of 1e30 and more stand for missing values)"),
         };
         Self::new(found, expected, None)
     }
@@ -94,22 +94,28 @@ pub(crate) fn clean_within(
         zeros += usize::from(*w == 0.0);
         if is_point(*w, *v) {
             if *w < 0.0 {
-                let found = format!("wavelength {w} nm");
-                return Err(Trouble::new(found, "a wavelength above 0", Some(index)));
+                let found = tr!("wavelength {nm} nm", nm = with_sign(w.to_string()));
+                let expected = said!("a wavelength above 0");
+                return Err(Trouble::new(found, expected, Some(index)));
             }
             points.push((*w, *v));
         }
     }
     let missing = given - points.len() - zeros;
-    let points_at = many(zeros, "point at", "points at");
-    notes.extend((zeros > 0).then(|| format!("{points_at} a wavelength of 0 dropped")));
-    let missed = many(missing, "missing value", "missing values");
-    notes.extend((missing > 0).then(|| format!("{missed} dropped")));
+    notes.extend((zeros > 0).then(|| {
+        tr!("{n} point at a wavelength of 0 dropped"
+            | "{n} points at a wavelength of 0 dropped" % zeros)
+    }));
+    notes.extend(
+        (missing > 0)
+            .then(|| tr!("{n} missing value dropped" | "{n} missing values dropped" % missing)),
+    );
     match points.len() {
         few @ 0..2 => return Err(Trouble::too_few(few, missing)),
         many if many > MOST_SAMPLES => {
-            let most = format!("at most {MOST_SAMPLES}");
-            return Err(Trouble::new(format!("{many} points"), most, None));
+            let most = tr!("at most {most}", most = MOST_SAMPLES);
+            let found = tr!("{n} point" | "{n} points" % many);
+            return Err(Trouble::new(found, most, None));
         }
         _ => {}
     }
@@ -144,23 +150,23 @@ fn put_in_order(
         };
         let at = points.windows(2).position(against).unwrap_or(0);
         let (before, back) = (points[at].0, points[at + 1].0);
-        let found = format!("wavelength {back} nm after {before} nm");
-        let expected = "wavelengths that rise or fall throughout";
+        let found = tr!(
+            "wavelength {back} nm after {before} nm",
+            back = with_sign(back.to_string()),
+            before = with_sign(before.to_string())
+        );
+        let expected = said!("wavelengths that rise or fall throughout");
         return Err(Trouble::new(found, expected, Some(at + 1)));
     }
     if falling {
         points.reverse();
-        notes.push("falling wavelengths turned round".to_owned());
+        notes.push(said!("falling wavelengths turned round").to_owned());
     }
     if reversals > 0 {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let often = match reversals {
-            1 => "once".to_owned(),
-            times => format!("{times} times"),
-        };
-        notes.push(format!(
-            "wavelengths step back {often}: put in rising order"
-        ));
+        notes.push(tr!("wavelengths step back once: put in rising order"
+            | "wavelengths step back {n} times: put in rising order"
+                % reversals));
     }
     Ok(())
 }
@@ -178,5 +184,7 @@ fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
     };
     let same = points.chunk_by(|a, b| a.0 == b.0);
     *points = same.map(|same| (same[0].0, value(same))).collect();
-    notes.push(many(doubles, "doubled wavelength", "doubled wavelengths") + " averaged");
+    notes.push(tr!(
+        "{n} doubled wavelength averaged" | "{n} doubled wavelengths averaged" % doubles
+    ));
 }

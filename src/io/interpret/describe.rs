@@ -7,6 +7,7 @@ use crate::io::reading::facts::Facts;
 use crate::io::reading::remark::{Remark, unit_words};
 use crate::io::reading::{Guessed, OpenQuestion, provenance};
 use crate::io::{Choices, Reading};
+use crate::languages::{said, with_sign};
 use crate::spectrum::NamedSpectrum;
 
 /// Spectra of one file of which it is kept how they were understood; of the others the guesses
@@ -51,10 +52,10 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
         remarks,
     } = facts;
     let scale = match decisions.counted.as_ref().map(|counted| counted.value) {
-        Some(Counted::Percent) if tells_scale => "from per cent",
-        Some(Counted::TenThousandths) if tells_scale => "from ten thousandths",
-        Some(Counted::SixteenBits) if tells_scale => "from 16-bit numbers",
-        Some(Counted::EightBits) if tells_scale => "from 8-bit numbers",
+        Some(Counted::Percent) if tells_scale => said!("from per cent"),
+        Some(Counted::TenThousandths) if tells_scale => said!("from ten thousandths"),
+        Some(Counted::SixteenBits) if tells_scale => said!("from 16-bit numbers"),
+        Some(Counted::EightBits) if tells_scale => said!("from 8-bit numbers"),
         _ => "",
     };
     let mut words = vec![scale];
@@ -89,19 +90,23 @@ fn guesses_of(facts: &Facts, spectrum: usize) -> impl Iterator<Item = OpenQuesti
             Some(guess(Guessed::WavelengthUnit, words, &unit.reason, false))
         }
         Some(AxisDecision::Laser(laser)) => {
-            let words = format!("Raman shift from {} nm", laser.value);
+            let words = tr!(
+                "Raman shift from {laser} nm",
+                laser = with_sign(laser.value.to_string())
+            );
             Some(guess(Guessed::WavelengthUnit, words, &laser.reason, true))
         }
         _ => None,
     };
     let kind = decisions.kind.is_guess().then(|| {
         let kind = &decisions.kind;
-        let word = kind.value.word().to_owned();
+        let word = said(kind.value.word()).to_owned();
         guess(Guessed::Kind, word, &kind.reason, !kind.is_doubtful())
     });
     let counted = decisions.counted.as_ref();
     let counted = counted.filter(|counted| counted.is_guess()).map(|counted| {
-        let (word, plain) = (counted.value.word().to_owned(), !counted.is_doubtful());
+        let word = said(counted.value.word()).to_owned();
+        let plain = !counted.is_doubtful();
         guess(Guessed::Percent, word, &counted.reason, plain)
     });
     [axis, kind, counted].into_iter().flatten()

@@ -7,6 +7,7 @@ use crate::io::Counted;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
 use crate::io::text::words::holds_one;
+use crate::languages::fixed;
 use crate::spectrum::Kind;
 
 /// The factor from the file's numbers to the unit, as far as a format determines it.
@@ -94,31 +95,38 @@ pub(crate) fn counted(
     values: &[f64],
 ) -> Decision<Counted> {
     let title = title.to_lowercase();
-    let of_title = |counted| Decision::stated(counted, "the column's title");
+    let of_title = |counted| Decision::stated(counted, said!("the column's title"));
     if counts_ten_thousandths(&title) {
         return of_title(Counted::TenThousandths);
     }
     if signs {
-        return Decision::stated(Counted::Percent, "per cent signs");
+        return Decision::stated(Counted::Percent, said!("per cent signs"));
     }
     // Many a title keeps its per cent sign over fractions.
-    let or_fractions = |reason: &str| match largest(values) {
-        high if high <= MOST_DOUBTFUL => {
-            let because =
-                format!("{reason}, but no value exceeds {high:.3}: they may be fractions");
-            Decision::guessed(Counted::Percent, false, because)
-        }
-        _ => Decision::stated(Counted::Percent, reason),
+    let high = largest(values);
+    let or_fractions = |stated: &str, doubted: String| match high <= MOST_DOUBTFUL {
+        true => Decision::guessed(Counted::Percent, false, doubted),
+        false => Decision::stated(Counted::Percent, stated),
     };
     if is_percent_title(&title) {
-        return or_fractions("the column's title");
+        let doubted = tr!(
+            "the column's title, but no value exceeds {high}: they may be fractions",
+            high = fixed(high, 3)
+        );
+        return or_fractions(said!("the column's title"), doubted);
     }
     if holds_one(title.trim(), "[1.0];fraction;^tfr$;^rfr$") {
         return of_title(Counted::Fraction);
     }
     match header {
-        Some(true) => or_fractions("the header"),
-        Some(false) => Decision::stated(Counted::Fraction, "the header"),
+        Some(true) => {
+            let doubted = tr!(
+                "the header, but no value exceeds {high}: they may be fractions",
+                high = fixed(high, 3)
+            );
+            or_fractions(said!("the header"), doubted)
+        }
+        Some(false) => Decision::stated(Counted::Fraction, said!("the header")),
         None => by_size(values),
     }
 }
@@ -152,7 +160,10 @@ pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
         true if high > *PLAIN_PERCENT.end() && are_bytes(values) => Counted::EightBits,
         _ => Counted::percent(percent),
     };
-    let reason = format!("the values' size (up to about {high:.3})");
+    let reason = tr!(
+        "the values' size (up to about {high})",
+        high = fixed(high, 3)
+    );
     Decision::guessed(counted, is_plain_size(counted, high), reason)
 }
 

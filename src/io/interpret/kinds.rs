@@ -263,24 +263,28 @@ impl FromHeader {
 
 pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
     if let Some(kind) = header.own {
-        return Decision::stated(kind, "the header");
+        return Decision::stated(kind, said!("the header"));
     }
     if let Some(kind) = kind_of_title(title) {
-        return Decision::stated(kind, format!("the column's title \"{}\"", short(title)));
+        let reason = tr!("the column's title \"{title}\"", title = short(title));
+        return Decision::stated(kind, reason);
     }
     let guess = |kind, because: &str| Decision::guessed(kind, false, because);
     if holds_one(&title.to_lowercase(), "|%tr|;|%t/r|") {
         let title = short(title);
-        let because = format!("the column's title \"{title}\"; it may be a reflectance");
+        let because = tr!(
+            "the column's title \"{title}\"; it may be a reflectance",
+            title
+        );
         return guess(Kind::Transmittance, &because);
     }
     if let Some((kind, line)) = &header.telling {
-        return Decision::stated(*kind, format!("the header line \"{line}\""));
+        return Decision::stated(*kind, tr!("the header line \"{line}\"", line));
     }
     let of_name = kind_of_name(file);
     let is_theirs = header.beside_weightings && of_name == Some(Kind::Weighting);
     if let Some(kind) = of_name.filter(|_| !is_theirs) {
-        return Decision::guessed(kind, is_plain_name(file), "the file's name");
+        return Decision::guessed(kind, is_plain_name(file), said!("the file's name"));
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();
@@ -290,15 +294,18 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
     }
     let middle = sorted.get(sorted.len() / 2);
     if middle.is_some_and(|middle| (0.01..=1.5).contains(middle)) {
-        return guess(Kind::Reflectance, "an ASD's values of about 0..1");
+        return guess(Kind::Reflectance, said!("an ASD's values of about 0..1"));
     }
     if values.iter().all(|v| (-0.05..=1.2).contains(v)) {
         guess(
             Kind::Light,
-            "nothing states it; all values lie in 0..1, so it may be a reflectance or a transmittance",
+            said!(
+                "nothing states it; all values lie in 0..1, so it may be a reflectance or a \
+                 transmittance"
+            ),
         )
     } else {
-        guess(Kind::Light, "nothing states it")
+        guess(Kind::Light, said!("nothing states it"))
     }
 }
 
@@ -314,7 +321,7 @@ pub(crate) fn no_light_in_percent(
     if !is_percent || !found.is_doubtful() || found.value != Kind::Light || is_relative || is_lamp {
         return found;
     }
-    let because = "no light is counted in per cent; it may be a transmittance";
+    let because = said!("no light is counted in per cent; it may be a transmittance");
     Decision::guessed(Kind::Reflectance, false, because)
 }
 

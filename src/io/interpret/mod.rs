@@ -14,13 +14,13 @@ pub(super) mod kinds;
 pub(super) mod raw;
 pub(super) mod value_unit;
 
-use crate::io::many::many;
 use crate::io::provenance::notes_of_a_line;
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
 use crate::io::reading::remark::{self, Remark};
 use crate::io::text::units::{WavelengthUnit, names_wavelength};
 use crate::io::{Input, ReadError, Reading, budget};
+use crate::languages::{said, with_sign};
 use crate::spectrum::{Kind, NamedSpectrum};
 use axis::Axis;
 use curve::{Cleaned, Trouble};
@@ -48,14 +48,15 @@ const MOST_SPECTRA: usize = 100_000;
 /// [`ReadError`] with their number.
 pub(super) fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
     if spectra > MOST_SPECTRA {
-        let expected = format!("at most {MOST_SPECTRA} in one file");
-        return Err(input.error(format!("{spectra} spectra"), expected));
+        let expected = tr!("at most {most} in one file", most = MOST_SPECTRA);
+        let found = tr!("{n} spectrum" | "{n} spectra" % spectra);
+        return Err(input.error(found, expected));
     }
     if spectra.saturating_sub(1) * BYTES_BESIDE <= budget::of(input.bytes.len()) {
         return Ok(());
     }
-    let found = format!("{spectra} spectra of a few values each");
-    Err(input.error(found, budget::WORDS))
+    let found = tr!("{n} spectrum of a few values" | "{n} spectra of a few values each" % spectra);
+    Err(input.error(found, said(budget::WORDS)))
 }
 
 /// Decides what a file leaves open about a spectrum and adds it to a reading.
@@ -116,10 +117,10 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
     let is_written_light = is_written && kind.value == Kind::Light;
     if is_written_light && value_unit::counts_photons(&unit_of_values) {
-        remarks.push(Remark::Note(remark::PHOTON_NOTE.to_owned()));
+        remarks.push(Remark::Note(said(remark::PHOTON_NOTE).to_owned()));
     }
     if is_written_light && !placed.unit.is_length() {
-        remarks.push(Remark::Note(remark::PER_OTHER.to_owned()));
+        remarks.push(Remark::Note(said(remark::PER_OTHER).to_owned()));
     }
     let before = notes_of_a_line(raw.before).filter(|note| !note.is_empty());
     remarks.extend(before.map(|note| Remark::Before(note.to_owned())));
@@ -207,7 +208,7 @@ fn place(
         true => remark::TO_AIR,
         false => remark::KEPT_IN_VACUUM,
     };
-    notes.extend(in_vacuum.then(|| note.to_owned()));
+    notes.extend(in_vacuum.then(|| said(note).to_owned()));
     let reversals = match names_wavelength(&title) {
         true => curve::TRACED_REVERSALS,
         false => curve::MOST_REVERSALS,
@@ -232,9 +233,11 @@ pub(super) fn kind_as_chosen(
     };
     let goes_against = !own.is_doubtful() && own.value != kind;
     let against = goes_against.then(|| {
-        format!(
-            "chosen by hand as {kind}: {} tells {}",
-            own.reason, own.value
+        tr!(
+            "chosen by hand as {kind}: {reason} tells {other}",
+            kind = said(kind.word()),
+            reason = own.reason,
+            other = said(own.value.word())
         )
     });
     (Decision::chosen(kind), against.map(Remark::Note))
@@ -298,8 +301,11 @@ fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
             for v in values.iter_mut().filter(|v| **v == value) {
                 *v = f64::NAN;
             }
-            let of = many(count, "value of", "values of");
-            notes.push(format!("{of} {value} taken as not measured"));
+            notes.push(tr!(
+                "{n} value of {value} taken as not measured"
+                    | "{n} values of {value} taken as not measured" % count,
+                value = with_sign(value.to_string())
+            ));
         }
     }
 }

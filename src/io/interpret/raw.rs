@@ -132,7 +132,7 @@ impl<'a> RawSpectrum<'a> {
     #[must_use]
     pub(crate) fn with_comma(mut self, decimal_comma: bool) -> Self {
         if decimal_comma {
-            self.how.push("decimal comma".to_owned());
+            self.how.push(said!("decimal comma").to_owned());
         }
         self
     }

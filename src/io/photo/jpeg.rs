@@ -22,29 +22,34 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
     let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
     let broken = |_| {
         (
-            "a broken stream".to_owned(),
-            "a whole JPEG picture".to_owned(),
+            said!("a broken stream").to_owned(),
+            said!("a whole JPEG picture").to_owned(),
         )
     };
     decoder.decode_headers().map_err(broken)?;
     let Some(info) = decoder.info() else {
-        return refused("a broken stream", "a whole JPEG picture");
+        return refused(said!("a broken stream"), said!("a whole JPEG picture"));
     };
     let size = [usize::from(info.width), usize::from(info.height)];
     check_size(size, bytes.len(), PIXELS_A_BYTE)?;
     match decoder.input_colorspace() {
         Some(ColorSpace::CMYK | ColorSpace::YCCK) => {
             return refused(
-                "a CMYK picture, made for printing",
-                "RGB: save it as RGB JPEG",
+                said!("a CMYK picture, made for printing"),
+                said!("RGB: save it as RGB JPEG"),
             );
         }
-        _ if !ends(bytes) => return refused("a picture that was cut off", "a whole JPEG picture"),
+        _ if !ends(bytes) => {
+            return refused(
+                said!("a picture that was cut off"),
+                said!("a whole JPEG picture"),
+            );
+        }
         _ => {}
     }
     let pixels = decoder.decode().map_err(broken)?;
     if pixels.len() != 3 * size[0] * size[1] {
-        return refused("a broken stream", "a whole JPEG picture");
+        return refused(said!("a broken stream"), said!("a whole JPEG picture"));
     }
     let exif = info.exif_data.as_deref().map(Exif::of).unwrap_or_default();
     Ok(Stored {

@@ -67,13 +67,17 @@ pub(crate) fn read_photo(path: &Path) -> Result<Photo, ReadError> {
     };
     let size = super::disk::len(path).map_err(trouble)?;
     if !super::disk::is_file(path) {
-        return Err(ReadError::new(&name, "no file", "a JPEG or PNG picture"));
+        return Err(ReadError::new(
+            &name,
+            said!("no file"),
+            said!("a JPEG or PNG picture"),
+        ));
     }
     if size > MOST_BYTES {
         return Err(ReadError::new(
             &name,
-            "more than 512 MiB",
-            "a smaller picture",
+            said!("more than 512 MiB"),
+            said!("a smaller picture"),
         ));
     }
     photo_of(&name, &super::disk::read(path).map_err(trouble)?)
@@ -91,7 +95,12 @@ pub(crate) fn photo_of(name: &str, bytes: &[u8]) -> Result<Photo, ReadError> {
     } else {
         Some(refused(kind_of(bytes).0, kind_of(bytes).1))
     };
-    let broken = || refused("a broken stream", "a whole JPEG or PNG picture");
+    let broken = || {
+        refused(
+            said!("a broken stream"),
+            said!("a whole JPEG or PNG picture"),
+        )
+    };
     let stored = stored.unwrap_or_else(broken);
     stored
         .map(shown)
@@ -106,27 +115,36 @@ fn kind_of(bytes: &[u8]) -> (&'static str, &'static str) {
     };
     if is_brand(&[b"heic", b"heix", b"heif", b"hevc", b"mif1", b"msf1"]) {
         (
-            "a HEIC picture, which cannot be read",
-            "JPEG or PNG: save it as JPEG",
+            said!("a HEIC picture, which cannot be read"),
+            said!("JPEG or PNG: save it as JPEG"),
         )
     } else if is_brand(&[b"avif", b"avis"]) {
         (
-            "an AVIF picture, which cannot be read",
-            "JPEG or PNG: save it as JPEG",
+            said!("an AVIF picture, which cannot be read"),
+            said!("JPEG or PNG: save it as JPEG"),
         )
     } else if bytes.starts_with(b"GIF8") {
-        ("a GIF", "JPEG or PNG: save one of its pictures as PNG")
+        (
+            said!("a GIF"),
+            said!("JPEG or PNG: save one of its pictures as PNG"),
+        )
     } else if bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*") || is_brand(&[b"crx "]) {
         (
-            "a raw or TIFF file",
-            "JPEG or PNG: save it as JPEG, or as PNG of 16 bit",
+            said!("a raw or TIFF file"),
+            said!("JPEG or PNG: save it as JPEG, or as PNG of 16 bit"),
         )
     } else if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") {
-        ("a WebP picture", "JPEG or PNG: save it as PNG")
+        (
+            said!("a WebP picture"),
+            said!("JPEG or PNG: save it as PNG"),
+        )
     } else if bytes.is_empty() {
-        ("an empty file", "a JPEG or PNG picture")
+        (said!("an empty file"), said!("a JPEG or PNG picture"))
     } else {
-        ("a file of another kind", "a JPEG or PNG picture")
+        (
+            said!("a file of another kind"),
+            said!("a JPEG or PNG picture"),
+        )
     }
 }
 
@@ -136,14 +154,18 @@ fn check_size(size: [usize; 2], bytes: usize, most_pixels_a_byte: usize) -> Resu
     let found = format!("{width} x {height} px");
     let pixels = width.saturating_mul(height);
     if width.min(height) < SIDES.0 || width.max(height) > SIDES.1 {
-        return refused(found, "sides of 24 to 16384 px");
+        return refused(found, said!("sides of 24 to 16384 px"));
     }
     if pixels > MOST_PIXELS {
-        return refused(found, "at most 100 megapixels");
+        return refused(found, said!("at most 100 megapixels"));
     }
     if pixels > bytes.saturating_mul(most_pixels_a_byte) {
-        let found = format!("{found} in {bytes} bytes");
-        return refused(found, "a file that holds as many pixels as its header says");
+        let found = tr!(
+            "{size} in {n} byte" | "{size} in {n} bytes" % bytes,
+            size = found
+        );
+        let expected = said!("a file that holds as many pixels as its header says");
+        return refused(found, expected);
     }
     Ok(())
 }

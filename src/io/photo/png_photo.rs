@@ -16,8 +16,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
     decoder.set_transformations(Transformations::EXPAND);
     let broken = |_: DecodingError| {
         (
-            "a broken stream".to_owned(),
-            "a whole PNG picture".to_owned(),
+            said!("a broken stream").to_owned(),
+            said!("a whole PNG picture").to_owned(),
         )
     };
     // What is said in the header is looked at before anything is made for it.
@@ -36,7 +36,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
         .unwrap_or_default();
     let (pixels, channels) = match frame(reader) {
         Ok(decoded) => decoded,
-        Err(None) => return refused("a picture too large for memory", "a smaller one"),
+        Err(None) => {
+            return refused(
+                said!("a picture too large for memory"),
+                said!("a smaller one"),
+            );
+        }
         Err(Some(error)) => return Err(broken(error)),
     };
     let (pixels, shone_through) = match pixels {
@@ -50,7 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
         }
     };
     let notes = if shone_through {
-        vec!["what shines through is shown over black"]
+        vec![said!("what shines through is shown over black")]
     } else {
         vec![]
     };

@@ -2,13 +2,14 @@
 
 use crate::io::choices::Counted;
 use crate::io::text::units::WavelengthUnit;
+use crate::languages::said;
 use crate::spectrum::Kind;
 
 /// The reason given for a decision by the user.
-pub(crate) const BY_HAND: &str = "chosen by hand";
+pub(crate) const BY_HAND: &str = later!("chosen by hand");
 
 /// The reason given for a decision to which the format leaves no alternative.
-const ITS_FORMAT: &str = "its format";
+const ITS_FORMAT: &str = later!("its format");
 
 /// The basis of a decision, the firmest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +47,7 @@ impl<T> Decision<T> {
 
     /// A person's.
     pub(crate) fn chosen(value: T) -> Self {
-        Self::of(value, Origin::Chosen, BY_HAND)
+        Self::of(value, Origin::Chosen, said(BY_HAND))
     }
 
     /// One that the file states.
@@ -56,7 +57,7 @@ impl<T> Decision<T> {
 
     /// One that the format leaves no choice about.
     pub(crate) fn of_format(value: T) -> Self {
-        Self::stated(value, ITS_FORMAT)
+        Self::stated(value, said(ITS_FORMAT))
     }
 
     /// A guess, from what leaves hardly a doubt or from what is usual.

@@ -101,14 +101,19 @@ static KNOWN: [Known; 20] = [
     (Quantity::Rg, "Rg", "", "rg"),
     (
         Quantity::Illuminance,
-        "illuminance",
+        later!("illuminance"),
         "lx",
         "lux illuminance lx",
     ),
-    (Quantity::Luminance, "luminance", "cd m-2", "luminance lv"),
+    (
+        Quantity::Luminance,
+        later!("luminance"),
+        "cd m-2",
+        "luminance lv",
+    ),
     (
         Quantity::Irradiance,
-        "irradiance",
+        later!("irradiance"),
         "W m-2",
         "irr irradiance ee",
     ),
@@ -124,17 +129,17 @@ static KNOWN: [Known; 20] = [
     (Quantity::VPrime, "v'", "", "v'"),
     (
         Quantity::PeakNm,
-        "peak wavelength",
+        later!("peak wavelength"),
         "nm",
         "lambdap λp lp peakwavelength peak",
     ),
     (
         Quantity::DominantNm,
-        "dominant wavelength",
+        later!("dominant wavelength"),
         "nm",
         "lambdad λd ld dominantwavelength dominant",
     ),
-    (Quantity::Purity, "purity", "%", "purity"),
+    (Quantity::Purity, later!("purity"), "%", "purity"),
 ];
 
 impl fmt::Display for Quantity {

@@ -8,9 +8,9 @@ pub(super) mod remark;
 use std::collections::{HashMap, HashSet};
 
 use crate::io::error::printable_line;
-use crate::io::many::many;
 use crate::io::text::units::WavelengthUnit;
 use crate::io::{Choices, Delimiter, Dialect};
+use crate::languages::{said, with_sign};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
 use decision::{AxisDecision, Decisions, Origin};
 use facts::Facts;
@@ -184,17 +184,21 @@ impl Reading {
         };
         let mut all = self.understood.iter().chain(&self.images_understood);
         if choices.wavelengths.is_some() && !all.any(is_by_hand) {
-            let note = "the unit chosen for the wavelengths is not used: the format has its own";
+            let note =
+                said!("the unit chosen for the wavelengths is not used: the format has its own");
             self.notes.push(note.to_owned());
         }
         if self.table.is_some() {
             return;
         }
         let delimiter = choices.delimiter.filter(|by| self.cut_by != Some(*by));
-        let column = choices.axis_column.map(|_| "column");
-        for what in column.into_iter().chain(delimiter.map(|_| "delimiter")) {
-            let note = format!("the {what} that was chosen is not used: no plain table");
-            self.notes.push(note);
+        if choices.axis_column.is_some() {
+            let note = said!("the column that was chosen is not used: no plain table");
+            self.notes.push(note.to_owned());
+        }
+        if delimiter.is_some() {
+            let note = said!("the delimiter that was chosen is not used: no plain table");
+            self.notes.push(note.to_owned());
         }
     }
 
@@ -240,19 +244,25 @@ fn hole_notes(samples: &Sampled) -> Vec<String> {
     let range = samples.last_nm() - samples.first_nm();
     let share = |holes: &[[f64; 2]]| {
         let wide: f64 = holes.iter().map(|[from, to]| to - from).sum();
-        round_step(100.0 * wide / range)
+        plain(round_step(100.0 * wide / range))
     };
     if holes.len() > MOST_HOLES {
         let count = holes.len();
-        return vec![format!(
-            "{count} holes without measurements, {} % of the range",
-            share(&holes)
+        return vec![tr!(
+            "{n} hole without measurements, {share} % of the range"
+                | "{n} holes without measurements, {share} % of the range" % count,
+            share = share(&holes)
         )];
     }
     let note = |hole: &[f64; 2]| {
-        let [from, to] = hole.map(round3);
+        let [from, to] = hole.map(|nm| plain(round3(nm)));
         let share = share(&[*hole]);
-        format!("nothing measured between {from} and {to} nm, {share} % of the range")
+        tr!(
+            "nothing measured between {from} and {to} nm, {share} % of the range",
+            from,
+            to,
+            share
+        )
     };
     holes.iter().map(note).collect()
 }
@@ -262,19 +272,22 @@ pub(super) fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
     let samples = &spectrum.samples;
     let step = samples.step_nm();
     let grid = if samples.has_even_steps() {
-        format!("{} nm steps", round_step(step))
+        tr!("{step} nm steps", step = plain(round_step(step)))
     } else {
-        format!("irregular steps (about {} nm)", round_step(step))
+        tr!(
+            "irregular steps (about {step} nm)",
+            step = plain(round_step(step))
+        )
     };
     let mut parts = vec![
         grid,
-        format!("{} points", samples.len()),
+        tr!("{n} point" | "{n} points" % samples.len()),
         format!(
             "{}-{} nm",
-            round3(samples.first_nm()),
-            round3(samples.last_nm())
+            plain(round3(samples.first_nm())),
+            plain(round3(samples.last_nm()))
         ),
-        spectrum.kind.word().to_owned(),
+        said(spectrum.kind.word()).to_owned(),
     ];
     if !spectrum.unit.is_empty() && spectrum.unit != spectrum.kind.word() {
         parts.push(spectrum.unit.clone());
@@ -283,7 +296,9 @@ pub(super) fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
     parts.extend(how.map(|words| (*words).to_owned()));
     let negative = samples.values().iter().filter(|v| **v < 0.0).count();
     if negative > 0 {
-        parts.push(many(negative, "negative value", "negative values") + " kept");
+        parts.push(tr!(
+            "{n} negative value kept" | "{n} negative values kept" % negative
+        ));
     }
     parts.join(", ")
 }
@@ -299,4 +314,9 @@ fn round_step(step: f64) -> f64 {
 
 fn round3(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0
+}
+
+/// A number with all its decimals.
+fn plain(x: f64) -> String {
+    with_sign(x.to_string())
 }

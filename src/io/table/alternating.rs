@@ -100,6 +100,6 @@ pub(crate) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadErro
     interpret(raw, input, &mut reading)?;
     reading
         .notes
-        .push("one number a line: wavelength and value by turns".to_owned());
+        .push(said!("one number a line: wavelength and value by turns").to_owned());
     Ok(reading)
 }

@@ -129,7 +129,7 @@ impl BadCell {
     }
 
     pub(crate) fn refusal(&self, input: &Input) -> ReadError {
-        let expected = format!("a number in column {}", self.column + 1);
+        let expected = tr!("a number in column {column}", column = self.column + 1);
         input.error(quoted(&self.text), expected).at_line(self.line)
     }
 
@@ -137,7 +137,20 @@ impl BadCell {
     pub(crate) fn left_out(&self, what: &str) -> String {
         let (line, column) = (self.line, self.column + 1);
         let text = quoted(&self.text);
-        format!("line {line}: found {text} in column {column}: the {what} was left out")
+        match what {
+            "cell" => tr!(
+                "line {line}: found {text} in column {column}: the cell was left out",
+                line,
+                text,
+                column
+            ),
+            _ => tr!(
+                "line {line}: found {text} in column {column}: the row was left out",
+                line,
+                text,
+                column
+            ),
+        }
     }
 }
 

@@ -12,7 +12,6 @@ use super::{layout, no_table, row_order, samples};
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::interpret::{check_room, interpret, kinds};
-use crate::io::many::many;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::units::names_wavelength;
 use crate::io::{Input, ReadError, Reading};
@@ -125,16 +124,23 @@ pub(crate) fn read_groups(
 
 fn said_of_samples(table: &Table, columns: &[usize]) -> String {
     let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
-    let shown: Vec<String> = shown.collect();
-    let tell = if shown.len() == 1 { "tells" } else { "tell" };
-    format!("{} {tell} the spectra apart", shown.join(" and "))
+    let shown = shown.reduce(|one, other| tr!("{one} and {other}", one, other));
+    let shown = shown.unwrap_or_default();
+    match columns {
+        [_] => tr!("{column} tells the spectra apart", column = shown),
+        _ => tr!("{columns} tell the spectra apart", columns = shown),
+    }
 }
 
 /// The note on values known only to lie beyond a limit.
 fn said_of_limits(count: usize) -> Option<String> {
-    let values = many(count, "value lies", "values lie");
-    (count > 0)
-        .then(|| format!("{values} below or above a limit (\"<\", \">\"): the limit was taken"))
+    (count > 0).then(|| {
+        tr!(
+            "{n} value lies below or above a limit (\"<\", \">\"): the limit was taken"
+                | "{n} values lie below or above a limit (\"<\", \">\"): the limit was taken"
+                    % count
+        )
+    })
 }
 
 /// Refuses a list in which each row is another thing: its values are no curve.
@@ -142,11 +148,11 @@ fn no_single_points(file: &File, table: &Table, axis: usize) -> Result<(), ReadE
     let Some(names) = samples::names_of_rows(&table.block, file.dialect, axis) else {
         return Ok(());
     };
-    let found = format!(
-        "another name in every row ({}) and wavelengths that go to and fro",
-        roles::shown(&table.titles, names)
+    let found = tr!(
+        "another name in every row ({column}) and wavelengths that go to and fro",
+        column = roles::shown(&table.titles, names)
     );
-    let expected = "several wavelengths of each spectrum";
+    let expected = said!("several wavelengths of each spectrum");
     let line = table.block.lines[0] as usize;
     Err(file.input.error(found, expected).at_line(line))
 }

@@ -208,9 +208,9 @@ pub(super) fn beside_commas(
         return Ok(None);
     };
     let by = found.of_thousands(numbers);
-    let (rows, use_, is_doubtful) = match (by, found.of_decimals(numbers)) {
-        (Some(rows), _) => (rows, "part thousands", false),
-        (None, Some(rows)) => (rows, "mark decimals", !found.has_zeros()),
+    let (rows, part_thousands, is_doubtful) = match (by, found.of_decimals(numbers)) {
+        (Some(rows), _) => (rows, true, false),
+        (None, Some(rows)) => (rows, false, !found.has_zeros()),
         (None, None) => {
             let is_whole = |cell: &&str| cell.bytes().all(|b| b.is_ascii_digit());
             let (line, cells) = &found.rows[0];
@@ -220,8 +220,12 @@ pub(super) fn beside_commas(
                 return Ok(None);
             }
             let count = cells.len();
-            let found = format!("{count} whole numbers under {numbers} titles");
-            let expected = "decimals marked with a point, or cells set apart by semicolons";
+            let found = tr!(
+                "{n} whole number under {titles} titles"
+                    | "{n} whole numbers under {titles} titles" % count,
+                titles = numbers
+            );
+            let expected = said!("decimals marked with a point, or cells set apart by semicolons");
             return Err(input.error(found, expected).at_line(*line));
         }
     };
@@ -235,9 +239,13 @@ pub(super) fn beside_commas(
         }
         out.push('\n');
     }
+    let note = match part_thousands {
+        true => said!("commas between the cells part thousands as well"),
+        false => said!("commas between the cells mark decimals as well"),
+    };
     Ok(Some(Plain {
         text: out,
-        note: format!("commas between the cells {use_} as well"),
+        note: note.to_owned(),
         is_doubtful,
     }))
 }

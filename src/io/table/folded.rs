@@ -108,7 +108,7 @@ fn side_by_side(table: &Table, groups: &[Group]) -> Option<Unfolded> {
     // Two filters that let nothing through where they meet agree there as well.
     let tells = |at: &usize| points[*at].1.abs() > LEAST_AT_JOINT * greatest;
     let joints = &joints[1..];
-    let note = "columns side by side go on with one another: read as one spectrum";
+    let note = said!("columns side by side go on with one another: read as one spectrum");
     (joints.iter().all(goes_on) && joints.iter().any(tells)).then_some((
         points,
         Some(first.values[0]),
@@ -194,7 +194,7 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
         && whole <= most * folded / count as f64
         && at_ends * count as f64 <= 3.0 * whole.max(f64::MIN_POSITIVE);
     points.retain(|point| !point.1.is_nan());
-    let note = "each row goes on in its columns: read as one spectrum";
+    let note = said!("each row goes on in its columns: read as one spectrum");
     (is_curve && points.len() > rows).then_some((points, None, note))
 }
 

@@ -234,10 +234,14 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
     let note = match bare {
         Some(column) => {
             let mark = marks[column]?.thousands?;
-            format!("column {}: \"{mark}\" parts thousands", column + 1)
+            tr!(
+                "column {column}: \"{mark}\" parts thousands",
+                column = column + 1,
+                mark
+            )
         }
         None if plain.contains(&'.') && plain.contains(&',') => {
-            "some columns mark decimals with a point, others with a comma".to_owned()
+            said!("some columns mark decimals with a point, others with a comma").to_owned()
         }
         None => return None,
     };

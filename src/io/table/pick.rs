@@ -9,6 +9,7 @@ use super::titles::Titles;
 use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
 use crate::io::text::units::names_wavelength;
+use crate::languages::with_sign;
 
 /// The amount of text that decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
@@ -203,7 +204,7 @@ fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
 /// The note on a block that is not read.
 pub(crate) fn lines_left_out(block: &Block) -> String {
     let (first, last) = (block.lines[0], block.lines[block.rows() - 1]);
-    format!("lines {first} to {last} left out")
+    tr!("lines {first} to {last} left out", first, last)
 }
 
 /// The blocks of a text that is known to be one table behind a number of lines of its file.
@@ -229,18 +230,26 @@ fn no_wavelengths(block: &Block) -> NoTable {
     };
     let below = axis.iter().position(|x| *x <= 0.0);
     if let Some(at) = below.filter(|_| runs_one_way(axis) && !block.counts_rows(0)) {
-        let found = format!("{} in column 1", axis[at]);
-        return why(at, found, "wavelengths above zero");
+        let found = tr!(
+            "{number} in column 1",
+            number = with_sign(axis[at].to_string())
+        );
+        return why(at, found, said!("wavelengths above zero"));
     }
     let (up, down) = steps_up_and_down(axis);
     let is_back = |p: &[f64]| if up >= down { p[1] < p[0] } else { p[1] > p[0] };
     let are_right = || axis.iter().all(|v| (100.0..=20_000.0).contains(v));
     if let Some(at) = axis.windows(2).position(is_back).filter(|_| are_right()) {
-        let found = format!("{} after {} in column 1", axis[at + 1], axis[at]);
-        return why(at + 1, found, "wavelengths that rise or fall throughout");
+        let found = tr!(
+            "{number} after {before} in column 1",
+            number = with_sign(axis[at + 1].to_string()),
+            before = with_sign(axis[at].to_string())
+        );
+        let expected = said!("wavelengths that rise or fall throughout");
+        return why(at + 1, found, expected);
     }
-    let found = "numbers with no wavelengths among them".to_owned();
-    let expected = "a column or row of wavelengths that rises or falls throughout";
+    let found = said!("numbers with no wavelengths among them").to_owned();
+    let expected = said!("a column or row of wavelengths that rises or falls throughout");
     why(0, found, expected)
 }
 
@@ -273,7 +282,8 @@ fn joined<'a>(
             }
             Some(_) => last.lost.extend(left.words),
             None if lines.is_empty() => {
-                last.notes.push("the table is interrupted once".to_owned());
+                last.notes
+                    .push(said!("the table is interrupted once").to_owned());
             }
             None => last.notes.extend(no_rows(&lines, &left.all)),
         }
@@ -301,8 +311,15 @@ fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     let notes = runs.map(|run| {
         let (first, last) = (lines[run[0]].0, lines[run[run.len() - 1]].0);
         match first == last {
-            true => format!("line {first} is no row of the table and was left out"),
-            false => format!("lines {first} to {last} are no rows of the table and were left out"),
+            true => tr!(
+                "line {first} is no row of the table and was left out",
+                first
+            ),
+            false => tr!(
+                "lines {first} to {last} are no rows of the table and were left out",
+                first,
+                last
+            ),
         }
     });
     notes.collect()

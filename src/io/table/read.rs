@@ -16,6 +16,7 @@ use crate::io::interpret::check_room;
 use crate::io::reading::TableFound;
 use crate::io::text::dialect::{Delimiter, Dialect, used};
 use crate::io::{Guessed, Input, OpenQuestion, ReadError, Reading};
+use crate::languages::said;
 
 /// The spectra of all tables of a text; how their cells are set apart is found where it is not
 /// known, and not told.
@@ -33,7 +34,7 @@ pub(crate) fn read_tables(
     };
     let mut reading = read_plain(input, &plain.text, known)?;
     if plain.is_doubtful {
-        let chosen = "marks by the other numbers".to_owned();
+        let chosen = said!("marks by the other numbers").to_owned();
         reading.guesses.push(doubt(0, chosen, plain.note.clone()));
     }
     reading.notes.push(plain.note);
@@ -112,7 +113,7 @@ fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
             return true;
         };
         let lines = pick::lines_left_out(&table.block);
-        left_out.push(format!("{lines}: found {}", why.found));
+        left_out.push(tr!("{lines}: found {found}", lines, found = why.found));
         false
     });
     left_out
@@ -192,9 +193,11 @@ pub(crate) fn without_words(
     if !has_values {
         return Err(input
             .error(
-                "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
-                 and beyond count as missing)",
-                no_table::A_TABLE,
+                said!(
+                    "wavelengths and no values (empty cells, words such as NaN and numbers of \
+                     1e30 and beyond count as missing)"
+                ),
+                said(no_table::A_TABLE),
             )
             .at_line(block.lines[0] as usize));
     }
@@ -218,9 +221,11 @@ fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
             .iter()
             .all(|column| column.numbers > 0))
     .then(|| {
-        format!(
-            "line {line} has {count} titles and the rows {} cells; commas may mark decimals",
-            block.width
+        tr!(
+            "line {line} has {titles} titles and the rows {cells} cells; commas may mark decimals",
+            line,
+            titles = count,
+            cells = block.width
         )
     })
 }

@@ -25,7 +25,53 @@ const SECOND_AXIS: &str = "is a second axis and was left out";
 
 impl LeftOut {
     pub(crate) fn words(&self, titles: &Titles) -> String {
-        format!("{} {}", shown(titles, self.column), self.why)
+        left_out_words(&shown(titles, self.column), self.why)
+    }
+}
+
+/// What a column that is no spectrum is, and what was done with it, as a sentence.
+pub(crate) fn left_out_words(column: &str, why: &str) -> String {
+    match why {
+        "holds the wavelengths of the columns behind it" => {
+            tr!(
+                "{column} holds the wavelengths of the columns behind it",
+                column
+            )
+        }
+        "holds words and was left out" => {
+            tr!("{column} holds words and was left out", column)
+        }
+        "counts the rows and was left out" => {
+            tr!("{column} counts the rows and was left out", column)
+        }
+        "is one number throughout and was left out" => {
+            tr!("{column} is one number throughout and was left out", column)
+        }
+        "rises by the same from row to row and was left out" => {
+            tr!(
+                "{column} rises by the same from row to row and was left out",
+                column
+            )
+        }
+        "holds whole numbers below zero throughout, a setting, and was left out" => tr!(
+            "{column} holds whole numbers below zero throughout, a setting, and was left out",
+            column
+        ),
+        "is a raw reading and was left out" => {
+            tr!("{column} is a raw reading and was left out", column)
+        }
+        "is no spectrum by its title and was left out" => {
+            tr!(
+                "{column} is no spectrum by its title and was left out",
+                column
+            )
+        }
+        "weighs a light and was left out" => {
+            tr!("{column} weighs a light and was left out", column)
+        }
+        SECOND_AXIS => tr!("{column} is a second axis and was left out", column),
+        // A spread is known by its words ([`SPREAD`]).
+        other => format!("{column} {other}"),
     }
 }
 
@@ -84,9 +130,9 @@ pub(crate) fn keep_spreads(groups: &mut [Group], left_out: &mut Vec<LeftOut>) {
 pub(crate) fn shown(titles: &Titles, column: usize) -> String {
     let title = titles.whole(column);
     if title.is_empty() {
-        format!("column {}", column + 1)
+        tr!("column {column}", column = column + 1)
     } else {
-        format!("column {} ({title})", column + 1)
+        tr!("column {column} ({title})", column = column + 1, title)
     }
 }
 

@@ -5,6 +5,7 @@ use super::block::{Block, FEWEST_THAT_AGREE};
 use crate::io::provenance::shortest;
 use crate::io::text::units::WavelengthUnit;
 use crate::io::{Input, ReadError};
+use crate::languages::with_sign;
 
 /// A row that is left out lies at least so many steps away from its neighbours: detectors that
 /// overlap and curves traced by hand step back by less.
@@ -32,8 +33,15 @@ pub(crate) fn put_right(
         notes.extend(beside.chunk_by(|a, b| a + 1 == *b).map(|run| {
             let (first, last) = (line(&run[0]), line(&run[run.len() - 1]));
             match run.len() {
-                1 => format!("line {first}: no wavelength of the table: the row was left out"),
-                _ => format!("lines {first} to {last}: no wavelengths of the table: left out"),
+                1 => tr!(
+                    "line {first}: no wavelength of the table: the row was left out",
+                    first
+                ),
+                _ => tr!(
+                    "lines {first} to {last}: no wavelengths of the table: left out",
+                    first,
+                    last
+                ),
             }
         }));
         without(block, &beside);
@@ -42,8 +50,12 @@ pub(crate) fn put_right(
     let stray = stray_rows(numbers);
     if stray.len() > most_stray(numbers.len()) {
         let (nm, others) = (numbers[stray[0]], stray.len() - 1);
-        let found = format!("wavelength {nm} and {others} more out of order");
-        let expected = "wavelengths that rise or fall throughout";
+        let found = tr!(
+            "wavelength {nm} and {n} more out of order"
+                | "wavelength {nm} and {n} more out of order" % others,
+            nm = with_sign(nm.to_string())
+        );
+        let expected = said!("wavelengths that rise or fall throughout");
         let line = block.lines[stray[0]] as usize;
         return Err(input.error(found, expected).at_line(line));
     }
@@ -51,19 +63,28 @@ pub(crate) fn put_right(
         notes.extend(stray.iter().map(|row| {
             let first = values.first().map(|column| block.column(*column)[*row]);
             let value = first.filter(|value| !value.is_nan());
-            let value = value.map_or(String::new(), |v| format!(" (value {})", shortest(v)));
-            format!(
-                "line {}: wavelength {}{value} is out of order: the row was left out",
-                block.lines[*row],
-                shortest(numbers[*row])
-            )
+            let (line, nm) = (block.lines[*row], with_sign(shortest(numbers[*row])));
+            match value {
+                Some(value) => tr!(
+                    "line {line}: wavelength {nm} (value {value}) is out of order: the row was \
+                     left out",
+                    line,
+                    nm,
+                    value = with_sign(shortest(value))
+                ),
+                None => tr!(
+                    "line {line}: wavelength {nm} is out of order: the row was left out",
+                    line,
+                    nm
+                ),
+            }
         }));
         without(block, &stray);
     } else if is_shuffled(numbers) {
         let mut order: Vec<usize> = (0..block.rows()).collect();
         order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
         block.arrange(&order);
-        notes.push("rows in no order of wavelengths: put in rising order".to_owned());
+        notes.push(said!("rows in no order of wavelengths: put in rising order").to_owned());
     }
     no_doubles(input, block, axis, values)?;
     Ok(notes)
@@ -103,15 +124,22 @@ fn no_doubles(
     if 1 + doubles.count() > (numbers.len() / 20).max(1) {
         return Ok(());
     }
-    let value = |row: usize, column: &usize| shortest(block.column(*column)[row]);
+    let value = |row: usize, column: &usize| with_sign(shortest(block.column(*column)[row]));
     let mut pairs = values
         .iter()
         .map(|column| (value(row, column), value(row + 1, column)));
     let (a, b) = pairs.find(|(a, b)| a != b).unwrap_or_default();
     let (first, second) = (block.lines[row], block.lines[row + 1]);
-    let at = shortest(numbers[row]);
-    let found = format!("{at} with {a} in line {first} and with {b} in line {second}");
-    let expected = "one value at each wavelength";
+    let at = with_sign(shortest(numbers[row]));
+    let found = tr!(
+        "{nm} with {value} in line {line} and with {other} in line {other_line}",
+        nm = at,
+        value = a,
+        line = first,
+        other = b,
+        other_line = second
+    );
+    let expected = said!("one value at each wavelength");
     Err(input.error(found, expected).at_line(second as usize))
 }
 

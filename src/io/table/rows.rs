@@ -45,7 +45,7 @@ pub(crate) fn read_rows(
         };
         if !has_values(values_of(row)) {
             let line = block.lines[row];
-            let note = format!("line {line} holds no values and was left out");
+            let note = tr!("line {line} holds no values and was left out", line);
             reading.notes.push(note);
             continue;
         }
@@ -63,7 +63,7 @@ pub(crate) fn read_rows(
     }
     reading
         .notes
-        .push("wavelengths in a row, one spectrum in each further row".to_owned());
+        .push(said!("wavelengths in a row, one spectrum in each further row").to_owned());
     Ok(())
 }
 

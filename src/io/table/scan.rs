@@ -11,6 +11,7 @@ use crate::io::budget;
 use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
 use crate::io::text::first_line;
 use crate::io::text::number::{self, Cell};
+use crate::languages::said;
 
 /// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
 pub(crate) const MOST_CELLS: usize = 64_000_000;
@@ -133,7 +134,8 @@ impl<'a> Scanner<'a> {
         open.push(&self.row);
         self.held += open.width;
         if self.held > MOST_CELLS {
-            return self.too_much("more than 64 million numbers", "a smaller table");
+            let found = said!("more than 64 million numbers");
+            return self.too_much(found, said!("a smaller table"));
         }
         Ok(())
     }
@@ -172,8 +174,8 @@ impl<'a> Scanner<'a> {
         let are_cells = is_row || self.dialect.delimiter != Delimiter::Space;
         if self.row.cells.len() > MOST_COLUMNS && are_cells {
             let found = self.dialect.count(content_with_tabs(raw));
-            let most = format!("at most {MOST_COLUMNS} columns");
-            return self.too_much(format!("{found} columns"), &most);
+            let most = tr!("at most {most} columns", most = MOST_COLUMNS);
+            return self.too_much(tr!("{n} column" | "{n} columns" % found), &most);
         }
         Ok(is_row)
     }
@@ -228,8 +230,9 @@ impl<'a> Scanner<'a> {
             self.rest = "";
             return Ok(());
         }
-        let found = format!("{} tables of a few rows each", self.blocks.len());
-        self.too_much(found, budget::TEXT_WORDS)
+        let count = self.blocks.len();
+        let found = tr!("{n} table of a few rows" | "{n} tables of a few rows each" % count);
+        self.too_much(found, said(budget::TEXT_WORDS))
     }
 }
 

@@ -73,14 +73,14 @@ impl Dialect {
     /// The dialect in words, for provenance.
     pub fn words(self) -> String {
         let cells = match self.delimiter {
-            Delimiter::Tab => "cells separated by TAB",
-            Delimiter::Semicolon => "cells separated by semicolon",
-            Delimiter::Comma => "cells separated by comma",
-            Delimiter::Space => "cells separated by blanks",
-            Delimiter::Cell => "cells of a sheet",
+            Delimiter::Tab => said!("cells separated by TAB"),
+            Delimiter::Semicolon => said!("cells separated by semicolon"),
+            Delimiter::Comma => said!("cells separated by comma"),
+            Delimiter::Space => said!("cells separated by blanks"),
+            Delimiter::Cell => said!("cells of a sheet"),
         };
         match self.decimal_comma {
-            true => format!("{cells}, decimal comma"),
+            true => tr!("{cells}, decimal comma", cells),
             false => cells.to_owned(),
         }
     }

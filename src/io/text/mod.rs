@@ -40,12 +40,13 @@ impl Text<'_> {
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         if self.encoding != "UTF-8" {
-            notes.push(format!("text read as {}", self.encoding));
+            notes.push(tr!("text read as {encoding}", encoding = self.encoding));
         }
         match self.nuls_dropped {
             0 => {}
-            1 => notes.push("1 NUL byte dropped from the text".to_owned()),
-            n => notes.push(format!("{n} NUL bytes dropped from the text")),
+            nuls => notes
+                .push(tr!("{n} NUL byte dropped from the text"
+                    | "{n} NUL bytes dropped from the text" % nuls)),
         }
         notes
     }

@@ -1,5 +1,7 @@
 //! Axes by hand: places whose wavelengths a person has given.
 
+use crate::languages::fixed;
+
 use super::{
     super::peaks::Peaks,
     curve::{Curve, Degree, Point},
@@ -31,19 +33,32 @@ impl Pin {
 /// Why pins make no axis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PinError {
-    #[error("found one pin, expected two or more, or one and a lamp")]
+    #[error("{}", said!("found one pin, expected two or more, or one and a lamp"))]
     TooFew,
     /// A pin beside the strip.
-    #[error("found a pin outside the picture, at {0:.1}, expected 0 to {1}")]
+    #[error(
+        "{}",
+        tr!(
+            "found a pin outside the picture, at {found}, expected 0 to {most}",
+            found = fixed(.0, 1),
+            most = .1
+        )
+    )]
     Outside(f64, usize),
     /// Two at one place.
-    #[error("found two pins on one peak, at {0:.1}, expected each at a place of its own")]
+    #[error(
+        "{}",
+        tr!(
+            "found two pins on one peak, at {found}, expected each at a place of its own",
+            found = fixed(.0, 1)
+        )
+    )]
     Twice(f64),
     /// Wavelengths that rise and fall.
-    #[error("found pins out of order: nm must rise or fall all along")]
+    #[error("{}", said!("found pins out of order: nm must rise or fall all along"))]
     Order,
     /// A curve that turns.
-    #[error("the axis would turn round at {0:.0} nm")]
+    #[error("{}", tr!("the axis would turn round at {place} nm", place = fixed(.0, 0)))]
     Turns(f64),
 }
 

@@ -1,5 +1,7 @@
 //! Found, suggested, or nothing can be said: what an axis must show to be used.
 
+use crate::languages::{fixed, said, with_sign};
+
 use super::{
     super::{
         landmarks::Lamp,
@@ -138,20 +140,25 @@ fn scene<'p>(columns: usize, peaks: &'p Peaks, wanted: &Wanted) -> Scene<'p> {
 
 fn no_axis(columns: usize, bright: &Peaks) -> String {
     match bright.peaks.len() {
-        _ if columns < LEAST_COLUMNS => format!(
-            "found a strip of {columns} columns, expected {LEAST_COLUMNS} and more for an axis"
+        _ if columns < LEAST_COLUMNS => tr!(
+            "found a strip of {columns} columns, expected {least} and more for an axis",
+            columns,
+            least = LEAST_COLUMNS
         ),
         1 if bright.peaks[0].height > ALONE => match bright.peaks[0].hue {
             // Low-pressure sodium: the one lamp of one line that is common.
-            Some(hue) if hue.is_yellow() => "one sodium line is no axis".to_owned(),
-            _ => "one line is no axis".to_owned(),
+            Some(hue) if hue.is_yellow() => said!("one sodium line is no axis").to_owned(),
+            _ => said!("one line is no axis").to_owned(),
         },
-        0 | 1 => {
+        0 | 1 => said!(
             "this is smooth light without lines: take a picture of an energy-saving lamp with \
-                  the same set-up, then this one with it"
-                .to_owned()
-        }
-        count => format!("found {count} lines that fit no lamp, expected those of one"),
+                 the same set-up, then this one with it"
+        )
+        .to_owned(),
+        count => tr!(
+            "found {count} lines that fit no lamp, expected those of one",
+            count
+        ),
     }
 }
 
@@ -195,10 +202,11 @@ impl Judged<'_> {
     fn against(&self, runner_up: Option<&Solution>) -> Option<String> {
         let solution = self.solution;
         let (lines, places) = (solution.matches.len(), self.places());
-        let name = solution.lamp.name();
+        let name = said(solution.lamp.name());
         if solution.span_nm().1 - solution.span_nm().0 < LEAST_SPAN_NM {
-            return Some(format!(
-                "the lines span less than {LEAST_SPAN_NM} nm: that is no axis"
+            return Some(tr!(
+                "the lines span less than {least} nm: that is no axis",
+                least = fixed(LEAST_SPAN_NM, 0)
             ));
         }
         if lines < 4 || places < 4 {
@@ -207,49 +215,81 @@ impl Judged<'_> {
                 .iter()
                 .map(|nm| format!("{nm:.0}"))
                 .collect();
-            let few = if lines == 3 { "three lines" } else { "so few" };
-            return Some(format!(
-                "{lines} lines only ({}): this fits {name}, but {few} prove nothing. Right?",
-                nm.join(", ")
-            ));
+            let places = nm.join(", ");
+            return Some(match lines {
+                3 => tr!(
+                    "{lines} lines only ({places}): this fits {name}, but three lines prove \
+                     nothing. Right?",
+                    lines,
+                    places,
+                    name
+                ),
+                _ => tr!(
+                    "{lines} lines only ({places}): this fits {name}, but so few prove nothing. \
+                     Right?",
+                    lines,
+                    places,
+                    name
+                ),
+            });
         }
         let is_grey = self.is_grey();
         let least = self.least_score(is_grey);
         let least_margin = self.least_margin(is_grey);
         if solution.score < least {
-            return Some(format!(
-                "the lines fit {name} too loosely: score {:.1}, expected {least}",
-                solution.score
+            return Some(tr!(
+                "the lines fit {name} too loosely: score {score}, expected {least}",
+                name,
+                score = fixed(solution.score, 1),
+                least = with_sign(least.to_string())
             ));
         }
         if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < self.least_odds() {
-            return Some(format!(
-                "the {lines} lines may fit {name} by chance: set one pin, or name the lamp"
+            return Some(tr!(
+                "the {lines} lines may fit {name} by chance: set one pin, or name the lamp",
+                lines,
+                name
             ));
         }
         if self.margin < least_margin {
-            let other = runner_up.map_or("nothing", |other| other.lamp.name());
-            return Some(if other == name {
-                format!("fits {name} in two ways about equally: set one pin")
-            } else {
-                format!("fits {name} and {other} about equally: set one pin")
+            return Some(match runner_up.map(|other| other.lamp) {
+                None => tr!("fits {name} and nothing about equally: set one pin", name),
+                Some(other) if other == solution.lamp => {
+                    tr!("fits {name} in two ways about equally: set one pin", name)
+                }
+                Some(other) => tr!(
+                    "fits {name} and {other} about equally: set one pin",
+                    name,
+                    other = said(other.name())
+                ),
             });
         }
         if let Some(nm) = self.strong_stranger() {
-            return Some(format!("the strong line at {nm:.0} nm is none of {name}'s"));
+            return Some(tr!(
+                "the strong line at {nm} nm is none of {name}'s",
+                nm = fixed(nm, 0),
+                name
+            ));
         }
         if !self.is_named && self.solution.lamp.crowds() && self.has_lonely_group() {
-            return Some(format!(
-                "a gap of more than {GAP_NM} nm is left open, and few lines stand beyond it"
+            return Some(tr!(
+                "a gap of more than {gap} nm is left open, and few lines stand beyond it",
+                gap = fixed(GAP_NM, 0)
             ));
         }
         if is_grey && self.widest_gap() > 120.0 {
-            return Some("without colours a gap of more than 120 nm is left open".to_owned());
+            return Some(
+                said!("without colours a gap of more than 120 nm is left open").to_owned(),
+            );
         }
         let most = self.most_left_out();
         let left_out = solution.left_out_rms_nm();
         (left_out >= most).then(|| {
-            format!("a line that is left out is missed by {left_out:.1} nm, expected {most:.1}")
+            tr!(
+                "a line that is left out is missed by {left_out} nm, expected {most}",
+                left_out = fixed(left_out, 1),
+                most = fixed(most, 1)
+            )
         })
     }
 

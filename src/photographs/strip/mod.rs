@@ -76,14 +76,18 @@ pub struct Found {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum StripError {
     /// Nothing coloured and long.
-    #[error("no coloured strip was found: draw the band by hand")]
+    #[error("{}", said!("no coloured strip was found: draw the band by hand"))]
     None,
     /// A strip with a number that is not there.
-    #[error("found {0} strips, expected one of their numbers")]
+    #[error("{}", tr!("found {found} strips, expected one of their numbers", found = .0))]
     NoSuch(usize),
     /// A band outside the picture or without size.
     #[error(
-        "found a band with nothing in it, expected one of 3 rows and 24 columns or more inside the picture"
+        "{}",
+        said!(
+            "found a band with nothing in it, expected one of 3 rows and 24 columns or more \
+             inside the picture"
+        )
     )]
     Empty,
 }

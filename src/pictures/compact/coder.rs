@@ -41,8 +41,8 @@ pub(super) fn unfolded(folded: u64) -> i64 {
 pub(super) fn checked(value: i64) -> Result<i32, PictureError> {
     if value.abs() > MOST {
         return Err(PictureError::broken(
-            format!("the number {value} in a plane"),
-            "one below 2^30",
+            tr!("the number {value} in a plane", value),
+            said!("one below 2^30"),
         ));
     }
     Ok(value as i32)
@@ -231,8 +231,8 @@ pub(super) fn decode_fitted(
 ) -> Result<Plane, PictureError> {
     let broken = || {
         PictureError::broken(
-            "a plane whose bits end early or are no numbers",
-            "a whole one",
+            said!("a plane whose bits end early or are no numbers"),
+            said!("a whole one"),
         )
     };
     let parameters = Parameters::from_bytes(bytes).ok_or_else(broken)?;

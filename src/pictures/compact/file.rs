@@ -163,8 +163,9 @@ impl CompactFile {
     /// # Errors
     /// [`PictureError::Broken`] with what is wrong.
     pub fn open(bytes: Vec<u8>) -> Result<Self, PictureError> {
-        let chunks = png_chunks(&bytes)
-            .ok_or_else(|| PictureError::broken("no PNG", "a composite picture NAME.cspx.png"))?;
+        let chunks = png_chunks(&bytes).ok_or_else(|| {
+            PictureError::broken(said!("no PNG"), said!("a composite picture NAME.cspx.png"))
+        })?;
         let mut header: Option<Header> = None;
         let mut found: Vec<(u32, u32, usize, usize)> = Vec::new();
         for chunk in chunks {
@@ -173,18 +174,25 @@ impl CompactFile {
             let data = &bytes[start..end];
             match kind {
                 HEADER if header.is_some() => {
-                    return Err(PictureError::broken("two headers csPH", "one"));
+                    return Err(PictureError::broken(
+                        said!("two headers csPH"),
+                        said!("one"),
+                    ));
                 }
                 HEADER => {
                     let text = zlib::unpacked(data, MOST_HEADER)?;
-                    let text = String::from_utf8(text)
-                        .map_err(|_| PictureError::broken("a header that is no text", "JSON"))?;
+                    let text = String::from_utf8(text).map_err(|_| {
+                        PictureError::broken(said!("a header that is no text"), "JSON")
+                    })?;
                     header = Some(Header::from_json(&text)?);
                 }
                 TILES => {
                     let ([column, row], _) =
                         data.as_chunks().0.split_first_chunk().ok_or_else(|| {
-                            PictureError::broken("a tile without a place", "its column and row")
+                            PictureError::broken(
+                                said!("a tile without a place"),
+                                said!("its column and row"),
+                            )
                         })?;
                     let word = |bytes: &[u8; 4]| u32::from_be_bytes(*bytes);
                     found.push((word(column), word(row), start + 8, end));
@@ -194,18 +202,24 @@ impl CompactFile {
         }
         let header = header.ok_or_else(|| {
             PictureError::broken(
-                "a PNG without the chunk csPH (an editor may have dropped it): a picture and nothing more",
-                "a composite picture",
+                said!(
+                    "a PNG without the chunk csPH (an editor may have dropped it): a picture and \
+                     nothing more"
+                ),
+                said!("a composite picture"),
             )
         })?;
         let stored = header.quantiser.as_ref().ok_or_else(|| {
-            PictureError::broken("a header without a quantiser", "one in a compact file")
+            PictureError::broken(
+                said!("a header without a quantiser"),
+                said!("one in a compact file"),
+            )
         })?;
         let quantiser = Quantiser::stored(stored, header.numbers)?;
         let tile = stored.tile;
         let (across, down) = (header.width.div_ceil(tile), header.height.div_ceil(tile));
         if across.checked_mul(down) != Some(found.len()) {
-            let found = format!("{} tiles", found.len());
+            let found = tr!("{found} tiles", found = found.len());
             return Err(PictureError::broken(found, format!("{across} x {down}")));
         }
         let mut tiles = vec![(0, 0); found.len()];
@@ -215,10 +229,10 @@ impl CompactFile {
             match place.and_then(|place| tiles.get_mut(place)) {
                 Some(slot) if slot.1 == 0 => *slot = (start, end),
                 _ => {
-                    let found = format!("a tile at column {x}, row {y} out of range or twice");
+                    let found = tr!("a tile at column {x}, row {y} out of range or twice", x, y);
                     return Err(PictureError::broken(
                         found,
-                        format!("each of {across} x {down} once"),
+                        tr!("each of {across} x {down} once", across, down),
                     ));
                 }
             }
@@ -255,10 +269,10 @@ impl CompactFile {
     pub fn tile(&self, x: usize, y: usize) -> Result<Vec<f32>, PictureError> {
         let (across, down) = self.tiles();
         if x >= across || y >= down {
-            let found = format!("tile {x}, {y}");
+            let found = tr!("tile {x}, {y}", x, y);
             return Err(PictureError::broken(
                 found,
-                format!("one of {across} x {down}"),
+                tr!("one of {across} x {down}", across, down),
             ));
         }
         let (start, end) = self.tiles[y * across + x];

@@ -163,8 +163,8 @@ impl Quantiser {
             tables.chain(&scales).all(|v| v.is_finite()) && scales.iter().all(|v| *v > 0.0);
         if !(fits && finite) {
             return Err(PictureError::broken(
-                "a quantiser whose tables do not fit",
-                format!("finite tables for {numbers} numbers a pixel"),
+                said!("a quantiser whose tables do not fit"),
+                tr!("finite tables for {numbers} numbers a pixel", numbers),
             ));
         }
         Ok(Self {

@@ -30,8 +30,8 @@ pub(super) fn decode_simple(
     let planes = raw.first().map_or(0, |n| usize::from(*n));
     if !(1..=5).contains(&planes) || raw.len() != 1 + planes * count {
         return Err(PictureError::broken(
-            format!("a plane of {} bytes", raw.len()),
-            format!("{count} numbers of 1 to 5 bytes"),
+            tr!("a plane of {found} bytes", found = raw.len()),
+            tr!("{count} numbers of 1 to 5 bytes", count),
         ));
     }
     let mut values: Vec<i32> = Vec::with_capacity(count);

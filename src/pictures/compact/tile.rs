@@ -83,7 +83,12 @@ pub(super) fn decode(
     let pixels = width * height;
     let mut rest = bytes;
     let mut next = || -> Result<(u8, &[u8]), PictureError> {
-        let short = || PictureError::broken("a plane longer than its chunk", "one that ends in it");
+        let short = || {
+            PictureError::broken(
+                said!("a plane longer than its chunk"),
+                said!("one that ends in it"),
+            )
+        };
         let (head, tail) = rest.split_at_checked(5).ok_or_else(short)?;
         let length = u32::from_be_bytes([head[1], head[2], head[3], head[4]]) as usize;
         let (plane, tail) = tail.split_at_checked(length).ok_or_else(short)?;
@@ -96,8 +101,8 @@ pub(super) fn decode(
         let bits = zlib::unpacked(bytes, pixels.div_ceil(8))?;
         if kind != MASK || bits.len() != pixels.div_ceil(8) {
             return Err(PictureError::broken(
-                "a mask that does not fit its tile",
-                "a bit a pixel",
+                said!("a mask that does not fit its tile"),
+                said!("a bit a pixel"),
             ));
         }
         mask = Some(bits);
@@ -110,8 +115,8 @@ pub(super) fn decode(
             0 => decode_simple(bytes, width, height)?,
             1 => decode_fitted(bytes, width, height, &mut before)?,
             other => {
-                let found = format!("the coder {other}");
-                return Err(PictureError::broken(found, "coder 0 or 1"));
+                let found = tr!("the coder {number}", number = other);
+                return Err(PictureError::broken(found, said!("coder 0 or 1")));
             }
         });
     }

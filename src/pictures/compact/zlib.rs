@@ -24,12 +24,12 @@ pub(super) fn unpacked(bytes: &[u8], most: usize) -> Result<Vec<u8>, PictureErro
         .read_to_end(&mut out);
     match read {
         Err(error) => Err(PictureError::broken(
-            format!("broken zlib data ({error})"),
-            "whole data",
+            tr!("broken zlib data ({error})", error),
+            said!("whole data"),
         )),
         Ok(size) if size > most => Err(PictureError::broken(
-            format!("more than {most} bytes of zlib data"),
-            "fewer",
+            tr!("more than {most} bytes of zlib data", most),
+            said!("fewer"),
         )),
         Ok(_) => Ok(out),
     }

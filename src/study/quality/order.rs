@@ -49,7 +49,7 @@ impl Chosen {
             Self::Ra => "Ra",
             Self::Rf => "Rf",
             Self::Cct => "CCT",
-            Self::MelanopicDer => "melanopic DER",
+            Self::MelanopicDer => later!("melanopic DER"),
         }
     }
 

@@ -133,7 +133,7 @@ pub(super) fn read_out(response: &Response, chart: &Chart, series: &Series, hit:
         let value = cells
             .value(hit.point)
             .map_or(said!("no value").to_owned(), short);
-        lines.push(format!("{}: {value}", or(&cells.label, "value")));
+        lines.push(format!("{}: {value}", or(&cells.label, said!("value"))));
     }
     egui::Tooltip::for_widget(response).at_pointer().show(|ui| {
         if !series.name.is_empty() {

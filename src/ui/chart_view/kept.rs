@@ -8,6 +8,7 @@ use egui::{Id, Mesh, Shape, Ui, Vec2, epaint::Tessellator};
 
 use super::paint;
 use crate::app::chart::{Chart, Drawing, Looks, Primitive, View};
+use crate::languages::{Language, spoken};
 
 /// From this many places on a thing is kept by itself: its neighbours may change beside it.
 const MANY: usize = 64;
@@ -27,6 +28,8 @@ struct Of {
 struct Place {
     origin: Vec2,
     pixels_per_point: f32,
+    /// Figures on axes are written as it writes them.
+    language: Language,
 }
 
 /// Things that stand one upon another, in order.
@@ -54,6 +57,7 @@ pub(super) fn shapes(
     let place = Place {
         origin,
         pixels_per_point: ui.pixels_per_point(),
+        language: spoken(),
     };
     let before: Option<Arc<Kept>> = ui.data(|data| data.get_temp(id));
     let is_same = |kept: &Kept| {

@@ -27,7 +27,7 @@ pub fn slide<N: Numeric>(value: &mut N, range: RangeInclusive<N>) -> Slider<'_> 
 pub fn slider<'a, T>(knob: &'a Knob<T>, value: &'a mut T) -> Slider<'a> {
     Slider::from_get_set(knob.reach.range(), moves(knob, value))
         .fixed_decimals(knob.digits.unsigned_abs() as usize)
-        .suffix(knob.unit)
+        .suffix(knob.unit())
         .custom_parser(typed)
 }
 
@@ -36,7 +36,7 @@ pub fn drag<'a, T>(knob: &'a Knob<T>, value: &'a mut T) -> DragValue<'a> {
     DragValue::from_get_set(moves(knob, value))
         .range(knob.reach.range())
         .max_decimals(knob.digits.unsigned_abs() as usize)
-        .suffix(knob.unit)
+        .suffix(knob.unit())
         .custom_parser(typed)
 }
 

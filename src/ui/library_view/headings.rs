@@ -6,7 +6,7 @@ use egui::{Align2, Sense, Ui, Vec2, pos2, vec2};
 use super::taken;
 use crate::{
     app::{App, Command, Entry, search::favourites},
-    languages::{said, with_sign},
+    languages::{said, translated, with_sign},
     ui::{entry_row::elided, kit::named_choice, theme::Theme},
 };
 
@@ -29,7 +29,8 @@ pub(super) fn favourites_row(
         ui.columns(3, |columns| {
             for (ui, favourite) in columns.iter_mut().zip(row) {
                 let size = vec2(ui.available_width(), 26.0 * theme.scale);
-                let button = egui::Button::new(favourite.label).truncate();
+                let label = translated(favourite.label).into_owned();
+                let button = egui::Button::new(label).truncate();
                 let response = ui.add_sized(size, button);
                 if response.clicked() {
                     commands.push(taken(app, &favourite.entry, compares));

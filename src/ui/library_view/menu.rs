@@ -34,17 +34,8 @@ impl LibraryView {
         let key = || entry.key.clone();
         item(ui, [said!("Show"), ""], Command::Show(entry.clone()));
         if entry.kind() == Kind::Light {
-            let now = app.document().second.as_ref();
-            let is_second = now.is_some_and(|second| second.key == entry.key);
-            let [words, second] = match is_second {
-                true => [said!("Compare no more"), ""],
-                false => [
-                    said!("Compare with it"),
-                    said!("The second light of every page."),
-                ],
-            };
-            let compared = Command::Compare((!is_second).then(|| entry.clone()));
-            item(ui, [words, second], compared);
+            let (words, compared) = as_second(app, entry);
+            item(ui, words, compared);
         }
         let words = match overlaid {
             true => said!("Stop comparing"),
@@ -96,19 +87,33 @@ impl LibraryView {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();
         }
-        for kind in [Kind::Light, Kind::Reflectance, Kind::Transmittance] {
+        for (kind, words) in [
+            (Kind::Light, said!("This is a light")),
+            (Kind::Reflectance, said!("This is a reflectance")),
+            (Kind::Transmittance, said!("This is a transmittance")),
+        ] {
             if kind != entry.kind() {
-                let words = match kind {
-                    Kind::Light => said!("This is a light"),
-                    Kind::Reflectance => said!("This is a reflectance"),
-                    _ => said!("This is a transmittance"),
-                };
                 item(ui, [words, ""], Command::SetKind { key: key(), kind });
             }
         }
         item(ui, [said!("Remove"), ""], Command::Remove { key: key() });
         command
     }
+}
+
+/// Has a light be the second one, or no longer: title and meaning, and what is asked for.
+fn as_second(app: &App, entry: &Arc<Entry>) -> ([&'static str; 2], Command) {
+    let now = app.document().second.as_ref();
+    let is_second = now.is_some_and(|second| second.key == entry.key);
+    let words = match is_second {
+        true => [said!("Compare no more"), ""],
+        false => [
+            said!("Compare with it"),
+            said!("The second light of every page."),
+        ],
+    };
+    let compared = Command::Compare((!is_second).then(|| entry.clone()));
+    (words, compared)
 }
 
 /// What can be done with something that is made: it follows what it is made of until it is frozen.

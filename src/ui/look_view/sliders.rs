@@ -1,7 +1,8 @@
 //! The two knobs of the model by their right names, and what decides in their place.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, RichText, Ui, vec2};
+use egui::{RichText, Ui, vec2};
 
 use crate::{
     app::{
@@ -269,7 +270,7 @@ fn waves(
         }
         let typed = ui.add_sized(
             vec2(BOX, 24.0) * theme.scale,
-            DragValue::new(&mut settings.order)
+            drag_value(&mut settings.order)
                 .range(Settings::ORDER.reach.range())
                 .speed(0.1),
         );
@@ -332,7 +333,7 @@ fn lines(
             .add_enabled_ui(by_energy, |ui| {
                 ui.add_sized(
                     vec2(BOX, 24.0) * theme.scale,
-                    DragValue::new(&mut count)
+                    drag_value(&mut count)
                         .range(0..=shares.len().max(found))
                         .speed(0.05),
                 )
@@ -357,7 +358,7 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), theme: Theme, asked: &m
          plain and colour-exact; one step of undo."
     );
     asked.automatic = pressed_if(ui, !busy, button, meaning);
-    let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
+    let count = drag_value(budget).range(SPENDABLE).speed(0.1);
     number(ui, count, said(names::BUDGET))
         .on_hover_text(said!("Most numbers that Automatic may spend, 1 to 101."));
     // In a narrow window the buttons need the room.

@@ -67,6 +67,29 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
     }
 }
 
+/// Words of the row of layers.
+const WORDS: [&str; 13] = [
+    later!("Measured"),
+    later!("Model"),
+    later!("Lines"),
+    ADD_LINE,
+    later!("Ideal"),
+    later!("As wide as they are"),
+    later!("Smooth part"),
+    later!("Residual"),
+    later!("Layers"),
+    later!("Log"),
+    later!("Root"),
+    later!("Even"),
+    later!("Height"),
+];
+
+/// By how much they are longer in the language spoken than in English: 1 or more.
+fn lengthening() -> f32 {
+    let letters = |words: [&str; 13]| words.iter().map(|word| word.chars().count()).sum::<usize>();
+    (letters(WORDS.map(said)) as f32 / letters(WORDS) as f32).max(1.0)
+}
+
 /// Draws the switches of the layers, each its own legend, and the choice of heights.
 pub(super) fn layers(
     ui: &mut Ui,
@@ -75,7 +98,8 @@ pub(super) fn layers(
     (view, adds_line): (&mut View, &mut bool),
     commands: &mut Vec<Command>,
 ) {
-    let width = ui.available_width();
+    // The widths below are those that English needs.
+    let width = ui.available_width() / lengthening();
     let (wide, tight) = (width >= 780.0, width < 500.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = if tight { 4.0 } else { 8.0 };

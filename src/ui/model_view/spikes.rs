@@ -1,5 +1,6 @@
 //! The knobs of the lines.
 
+use crate::ui::kit::slide;
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
@@ -22,7 +23,7 @@ fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
         let meaning = said!("Least slope of a line's flanks, percent of the largest value per nm.");
         return slider_row(ui, enabled, said!("Slope"), slider, meaning);
     }
-    let slider = Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
+    let slider = slide(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
         .logarithmic(true)
         .clamping(SliderClamping::Never)
         .suffix(" %");
@@ -84,7 +85,7 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 
     threshold_row(ui, settings);
-    let slider = Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
+    let slider = slide(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
         .clamping(SliderClamping::Never)
         .suffix(" nm");
     let meaning = tr!(

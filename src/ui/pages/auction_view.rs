@@ -1,9 +1,10 @@
 //! The page "Auction": what to buy with the next numbers.
 
+use crate::ui::kit::drag_value;
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{
     PageContext, progress,
@@ -158,7 +159,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     });
     ui.horizontal_wrapped(|ui| {
         let label = ui.label(said!("Spend up to"));
-        let numbers = DragValue::new(&mut context.pages.auction.numbers)
+        let numbers = drag_value(&mut context.pages.auction.numbers)
             .range(SPENDABLE)
             .speed(0.1);
         ui.add(numbers).labelled_by(label.id).on_hover_text(said!(
@@ -167,10 +168,13 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         let settings = context.app.document().settings;
         let way = FitVariant::new(settings.basis, false, settings.colour_exact);
         ui.label(said!("numbers"));
-        ui.weak(tr!("{way}, as in the model.", way = way.title()))
-            .on_hover_text(said!(
-                "Basis, fit and threshold are the document's; change them there."
-            ));
+        ui.weak(tr!(
+            "{way}, as in the model.",
+            way = crate::languages::said(way.title())
+        ))
+        .on_hover_text(said!(
+            "Basis, fit and threshold are the document's; change them there."
+        ));
         if goal.plain_measure().is_none() {
             ui.weak(said!("Each error over its value without waves."));
         }
@@ -183,7 +187,7 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     let mut weights = goal.weights();
     let mut changed = false;
     for (i, weight) in weights.iter_mut().enumerate() {
-        let value = DragValue::new(weight)
+        let value = drag_value(weight)
             .speed(0.02)
             .range(0.0..=MOST_WEIGHT)
             .max_decimals(2);
@@ -191,7 +195,7 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         let name = tr!("Weight of {error}", error = said(NAMES[i]));
         named(&response, egui::Role::SpinButton, &name);
         changed |= response.changed();
-        let meaning = Goal::MEASURES[i].figure().meaning;
+        let meaning = Goal::MEASURES[i].figure().meaning();
         response
             .on_hover_text(format!("{meaning} {}", said!("Its weight in the mix.")))
             .on_disabled_hover_text(lacks[i].unwrap_or_default());

@@ -1,7 +1,8 @@
 //! The page "Coefficients": the light's numbers beside those of the eye, and sums that grow.
 
+use crate::ui::kit::slide;
 use eframe::egui;
-use egui::{Slider, Ui, Vec2, vec2};
+use egui::{Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -181,7 +182,7 @@ fn controls(
             .min(highest)
             .max(context.pages.why.partial_order);
         let slider = ui
-            .add(Slider::new(&mut context.pages.why.partial_order, reach).integer())
+            .add(slide(&mut context.pages.why.partial_order, reach).integer())
             .labelled_by(label.id)
             .on_hover_text(said!(
                 "Waves of the partial sum that is drawn; the model itself stays."
@@ -254,12 +255,15 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
 }
 
 fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
-    if harmonics.basis != Basis::Fourier {
-        return tr!(
-            "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for {basis} series there \
-             is no such bound.",
-            basis = said(harmonics.basis.name())
-        );
+    match harmonics.basis {
+        Basis::Fourier => {}
+        Basis::Cosine => {
+            return said!(
+                "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for cosine series \
+                 there is no such bound."
+            )
+            .to_owned();
+        }
     }
     if harmonics.orders.iter().all(|o| o.bound.is_none()) {
         return if context.app.document().is_about_light() {

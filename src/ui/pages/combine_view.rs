@@ -280,7 +280,7 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     }
     if verb == Verb::Slit || verb == Verb::Unslit && state.is_told {
         let knob = CombineState::WIDTH;
-        form.slider((knob.title, knob.meaning), slider(&knob, state));
+        form.slider((knob.title(), knob.meaning()), slider(&knob, state));
     }
     if verb == Verb::Learnt {
         known_light(form, state, width);
@@ -358,8 +358,8 @@ fn known_light(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     );
     for knob in [CombineState::KELVIN, CombineState::DOUBT] {
         let field = drag(&knob, state);
-        form.row((knob.title, knob.meaning), |ui, _| {
-            kit::number(ui, field, knob.title)
+        form.row((knob.title(), knob.meaning()), |ui, _| {
+            kit::number(ui, field, knob.title())
         });
     }
 }

@@ -1,5 +1,6 @@
 //! The page "Known lamps": a light in few words, what they decode to, and what it is made of.
 
+use crate::ui::kit::slide;
 use eframe::egui;
 use egui::{Label, RichText, Ui, vec2};
 
@@ -96,7 +97,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.label(said!("Numbers"));
         let slider = ui
-            .add(egui::Slider::new(&mut memory.numbers, NUMBERS[0]..=most))
+            .add(slide(&mut memory.numbers, NUMBERS[0]..=most))
             .on_hover_text(said!("The most words of 32 bits that the light may take."));
         named(&slider, egui::Role::Slider, said!("Numbers for the light"));
         ui.separator();

@@ -170,10 +170,13 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             field_choice(ui, context, (said(names::LIGHTS), meaning), &mut field);
             let settings = context.app.document().settings;
             let way = Wanted::of(settings, &context.pages.many).way;
-            ui.weak(tr!("{way}, as in the model.", way = way.title()))
-                .on_hover_text(said!(
-                    "Basis, fit, lines and range are the document's; change them there."
-                ));
+            ui.weak(tr!(
+                "{way}, as in the model.",
+                way = crate::languages::said(way.title())
+            ))
+            .on_hover_text(said!(
+                "Basis, fit, lines and range are the document's; change them there."
+            ));
         });
         let memory = &mut context.pages.many;
         memory.field = field;
@@ -181,7 +184,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             let figure = memory.measure.figure();
             let choice = Choice {
                 name: said!("Figure with a limit"),
-                meaning: figure.meaning,
+                meaning: figure.meaning(),
                 width: 140.0,
             };
             let before = memory.measure;

@@ -127,7 +127,7 @@ pub(in crate::ui) fn choose(
 ) -> bool {
     let lack = lack(app, measure);
     ui.add_enabled(lack.is_none(), egui::Button::selectable(is_chosen, name))
-        .on_hover_text(measure.figure().meaning)
+        .on_hover_text(measure.figure().meaning())
         .on_disabled_hover_text(lack.unwrap_or_default())
         .clicked()
 }
@@ -137,7 +137,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label(said!("Error"));
         for one in Measure::COMPARED {
-            if choose(ui, context.app, (one, one.figure().title), measure == one) {
+            if choose(ui, context.app, (one, one.figure().title()), measure == one) {
                 context.pages.tradeoff.measure = one;
             }
         }
@@ -227,7 +227,7 @@ fn columns(figures: &[Measure]) -> Vec<Column> {
     columns.extend(figures.iter().map(|measure| {
         let figure = measure.figure();
         let share = if measure.is_colour() { 1.2 } else { 1.4 };
-        Column::numbers(figure.short, figure.meaning, share)
+        Column::numbers(figure.short(), figure.meaning(), share)
     }));
     columns
 }
@@ -247,9 +247,9 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
         name: format!(
             "{}: {}, {}, {} {} {}",
             numbers(point.numbers),
-            point.way.title(),
+            crate::languages::said(point.way.title()),
             waves_words(point.order),
-            figure.title,
+            figure.title(),
             figure.unit.sign,
             told(&measure)
         ),
@@ -331,7 +331,7 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
         let front = sheet.tradeoff.front.iter();
         front.map(|index| &sheet.sweep.points[*index])
     };
-    let figure = sheet.measure.figure().title;
+    let figure = sheet.measure.figure().title();
     ui.strong(tr!("Lowest error for that many numbers: {figure}", figure));
     let chosen = points().position(|point| is_now(context.app, take(settings, point)));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;

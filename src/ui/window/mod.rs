@@ -39,7 +39,6 @@ use super::{
     top_view::Drawer,
     verdict_view::Side,
 };
-use crate::languages;
 use crate::app::{
     App, Command, Memo, Pair, Tone, chart,
     following::Following,
@@ -51,6 +50,7 @@ use crate::app::{
     worker::Worker,
     workspace::{Preferences, Restored, StoredImage},
 };
+use crate::languages::{self, Language};
 use checks::LessonChecks;
 use filing::{Saving, Waiting};
 
@@ -94,6 +94,8 @@ pub struct Window {
     kept: (u64, Preferences),
     /// The ways to begin stand over the first screen.
     greets: bool,
+    /// What was said last was said in this language.
+    spoken: Language,
     /// Leaves out what changes from run to run (the time taken), for pictures in tests.
     pub quiet: bool,
     styled_for: Option<Preferences>,
@@ -188,6 +190,7 @@ impl Window {
             saver,
             greets: false,
             quiet: false,
+            spoken: languages::spoken(),
             styled_for: None,
             fonts_installed: false,
             studies: Studies::default(),
@@ -236,7 +239,7 @@ impl Window {
     /// One frame.
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
-        languages::speak(self.preferences.language);
+        self.speak();
         self.preferences.grown = theme::grown(ui.max_rect().size());
         self.note_touch(&context);
         self.dress(&context);
@@ -294,6 +297,16 @@ impl Window {
         }
     }
 
+    /// The language that was chosen; in another one than before what has words in it is made anew.
+    fn speak(&mut self) {
+        let language = self.preferences.language;
+        languages::speak(language);
+        if self.spoken != language {
+            self.spoken = language;
+            self.app.say_anew();
+        }
+    }
+
     /// Pages that remember what stands beside the light take a second light that was chosen.
     fn follow_second(&mut self) {
         let is_there = self.app.document().second.is_some();
@@ -306,7 +319,7 @@ impl Window {
     /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what
     /// was read comes in, and is kept.
     pub fn unseen(&mut self, context: &Context) {
-        languages::speak(self.preferences.language);
+        self.speak();
         self.take_files(context);
         self.keep();
     }

@@ -58,7 +58,7 @@ impl Draw<'_> {
         let thin = |name: &str, ink: Ink, values: &[f64], dash: Dash| {
             stroke(name, ink, curve(values), 1.2, dash)
         };
-                let mut series = vec![thin(
+        let mut series = vec![thin(
             said!("measured"),
             Ink::Measured,
             &derived.measured,

@@ -130,11 +130,11 @@ fn met(app: &App) -> Vec<String> {
             found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
         };
         let called = |nm: f64| match told.known.safe(nm) {
-                    Some(name) => format!("{} nm ({name})", fixed(nm, 1)),
-        None => format!("{} nm", fixed(nm, 1)),
+            Some(name) => format!("{} nm ({name})", fixed(nm, 1)),
+            None => format!("{} nm", fixed(nm, 1)),
         };
         for met in &step.met {
-                all.push(tr!(
+            all.push(tr!(
                 "{light} in {name}: the line at {line} stands on a dark line at {dark_line}, \
                  {depth} % deep. Its weight goes from {before} to {after}.",
                 light = document.light.name(),
@@ -162,12 +162,15 @@ fn table(app: &App, dips: &[DipRow]) -> Table {
         .with("weight", |dip| {
             cell(dip.spike.weight).shown(short(factor * dip.spike.weight))
         })
-        .figures(said!("weight"), said!("Power that is missing, in the plot's unit × nm."))
+        .figures(
+            said!("weight"),
+            said!("Power that is missing, in the plot's unit × nm."),
+        )
         .with("depth", |dip| {
             let depth = or_dash(dip.depth, |depth| format!("{} %", fixed(100.0 * depth, 1)));
             cell(dip.depth).shown(depth)
         })
-                .figures(
+        .figures(
             said!("depth"),
             said!("Share of the background that is missing at its deepest, percent."),
         )
@@ -176,10 +179,12 @@ fn table(app: &App, dips: &[DipRow]) -> Table {
             let name = dip.name.as_deref();
             cell(name.unwrap_or_default()).shown(format!("{mark}{}", name.unwrap_or(DASH)))
         })
-                .titled(
+        .titled(
             said!("line"),
-            said!("Named only where it is safe. A known line without a weight is seen in the curve, but \
-             the search did not take it: it is no number of the model."),
+            said!(
+                "Named only where it is safe. A known line without a weight is seen in the curve, \
+                 but the search did not take it: it is no number of the model."
+            ),
         )
         .with("below zero", |dip| {
             cell(if dip.below_zero { "yes" } else { "no" })
@@ -194,7 +199,12 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     let (band, factor) = (derived.band, app.scale_factor());
     let curve = |values: &[f64]| on_grid(band, values, factor);
     let [measured, filled] = [&derived.measured, &derived.parts.smooth];
-    let area = Series::area(said!("measured"), Ink::Measured, curve(measured), Vec::new());
+    let area = Series::area(
+        said!("measured"),
+        Ink::Measured,
+        curve(measured),
+        Vec::new(),
+    );
     let filled_up = stroke(
         said!("without dark lines"),
         Ink::Residual,
@@ -241,7 +251,10 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
         series.push(gaps(said!("dark lines"), Ink::Product, dips.collect()));
     }
     Chart {
-        title: tr!("Missing in {subject}", subject = document.subject_entry().name()),
+        title: tr!(
+            "Missing in {subject}",
+            subject = document.subject_entry().name()
+        ),
         y_label: subject_label(app),
         series,
         colours: strip(band),

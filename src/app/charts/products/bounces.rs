@@ -131,7 +131,7 @@ impl Bounced {
             let found = ways().filter(|(_, (below, _))| *below == wanted);
             found.map(|(name, _)| name).collect()
         };
-                if most == 0 {
+        if most == 0 {
             return match added {
                 true => said!("No way stays below added ΔE₀₀ 1, not for one bounce."),
                 false => said!("No way stays below ΔE₀₀ 1, not for one bounce."),
@@ -155,7 +155,7 @@ impl Bounced {
                 format!("{length_words}: {}", names(*length).join(", "))
             })
             .collect();
-                let lengths = told.join("; ");
+        let lengths = told.join("; ");
         match added {
             true => tr!("Below added ΔE₀₀ 1 {lengths}.", lengths),
             false => tr!("Below ΔE₀₀ 1 {lengths}.", lengths),

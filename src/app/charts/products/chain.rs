@@ -1,6 +1,5 @@
 //! A light through its chain as the part "Chain" shows it: every stage, its words and its chart.
 
-use crate::languages::fixed;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series, stroke},
@@ -13,6 +12,7 @@ use crate::{
         state::App,
         ticks::short,
     },
+    languages::fixed,
     spectrum::{Band, Line},
     study::products::{Colours, Passage},
 };
@@ -170,7 +170,13 @@ impl ChainSheet {
         let notes = spikes
             .iter()
             .zip(&labels)
-            .map(|(s, label)| tr!("{label}: weight {weight}", label, weight = short(factor * s.weight)))
+            .map(|(s, label)| {
+                tr!(
+                    "{label}: weight {weight}",
+                    label,
+                    weight = short(factor * s.weight)
+                )
+            })
             .collect();
         let derived = &self.light.derived;
         let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);

@@ -1,7 +1,6 @@
 //! The light behind a narrow band-pass: its spectrum with the filter over it, and what three
 //! representations of equal size are off by for every place of the band-pass.
 
-use crate::languages::{fixed, said};
 use std::sync::Arc;
 
 use super::{chain::strip, resampling::thin};
@@ -21,6 +20,7 @@ use crate::{
     },
     color::{Adaptation, Swatch, Xyz, srgb::linear_from_xyz},
     io::many::numbers,
+    languages::{fixed, said},
     preset::Shelf,
     spectrum::{Band, Kind, gaussian},
     study::products::{Colours, Narrow, NarrowPoint},
@@ -290,13 +290,18 @@ impl Behind {
             ),
             thin("", Ink::Residual, through, Dash::Solid),
             Series::points("", Ink::Residual, Shape::Square, handles),
-                        thin(
+            thin(
                 said!("measured"),
                 Ink::Measured,
                 curve(&derived.measured),
                 Dash::Solid,
             ),
-            thin(said!("smooth part"), Ink::Smooth, curve(&smooth), Dash::Dashed),
+            thin(
+                said!("smooth part"),
+                Ink::Smooth,
+                curve(&smooth),
+                Dash::Dashed,
+            ),
         ];
         if let Some((name, values, white)) = &self.second
             && let equal = self.narrow.white().y / white.y
@@ -355,9 +360,15 @@ impl Behind {
         series.reverse();
         Chart {
             title: if luminance {
-                tr!("Luminance error behind {width_nm} nm", width_nm = fixed(width_nm, 1))
+                tr!(
+                    "Luminance error behind {width_nm} nm",
+                    width_nm = fixed(width_nm, 1)
+                )
             } else {
-                tr!("Colour error behind {width_nm} nm", width_nm = fixed(width_nm, 1))
+                tr!(
+                    "Colour error behind {width_nm} nm",
+                    width_nm = fixed(width_nm, 1)
+                )
             },
             x_label: said!("Centre of the band-pass (nm)").to_owned(),
             y_label: if luminance {
@@ -391,7 +402,7 @@ impl Behind {
         let head = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
         let mut columns = Columns::<&FilterRow>::default()
             .with("filter", |row| cell(row.entry.name()))
-                        .titled(
+            .titled(
                 said!("filter"),
                 said!("Measured transmittance. Click a row to put it over the light."),
             )
@@ -401,9 +412,11 @@ impl Behind {
                     format!("{} %", fixed(100.0 * share, 1))
                 }))
             })
-                        .figures(
+            .figures(
                 said!("luminance"),
-                said!("Y of the exact light behind the filter over that of the whole light, percent."),
+                said!(
+                    "Y of the exact light behind the filter over that of the whole light, percent."
+                ),
             );
         for (way, key) in ["composite", "series", "samples"].into_iter().enumerate() {
             let error = move |row: &&FilterRow| row.figures.ways[way].delta_e_2000;

@@ -1,6 +1,5 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
-use crate::languages::{fixed, said};
 use crate::{
     app::{
         App, Entry,
@@ -12,6 +11,7 @@ use crate::{
         products::ModelledLight,
         ticks::extent,
     },
+    languages::{fixed, said},
     spectrum::{Band, Line, Sampling},
     study::{
         products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
@@ -35,20 +35,33 @@ pub fn way_name(sampling: Sampling) -> &'static str {
 pub fn way_meaning(sampling: Sampling) -> &'static str {
     match sampling {
         Sampling::Paper => {
-            said!("As many points as there are numbers (2N+1), as in the paper: waves above N fold back.")
+            said!(
+                "As many points as there are numbers (2N+1), as in the paper: waves above N fold \
+                 back."
+            )
         }
         Sampling::ThreeN => {
-            said!("3N+1 points, or the next odd count: in the Fourier basis waves up to N are exact.")
+            said!(
+                "3N+1 points, or the next odd count: in the Fourier basis waves up to N are exact."
+            )
         }
-        Sampling::FourN => said!("4N+1 points: in the Fourier basis every wave of one product is exact."),
-        Sampling::Double => said!("Twice as many points as there are numbers, the default for chains."),
+        Sampling::FourN => {
+            said!("4N+1 points: in the Fourier basis every wave of one product is exact.")
+        }
+        Sampling::Double => {
+            said!("Twice as many points as there are numbers, the default for chains.")
+        }
         Sampling::Convolution => {
-            said!("Coefficients convolved and cut back to as many as there were: nothing folds, and all \
-             above is lost.")
+            said!(
+                "Coefficients convolved and cut back to as many as there were: nothing folds, and \
+                 all above is lost."
+            )
         }
         Sampling::Exact => {
-            said!("No resampling: the model of the light times the filter or surface as measured, at \
-             every nm.")
+            said!(
+                "No resampling: the model of the light times the filter or surface as measured, \
+                 at every nm."
+            )
         }
     }
 }
@@ -144,7 +157,8 @@ impl Bench {
                 light = self.light,
                 factor = self.factor
             ),
-            said!("Below: way minus the product of the same two series with every wave kept.").to_owned(),
+            said!("Below: way minus the product of the same two series with every wave kept.")
+                .to_owned(),
         ];
         Chart {
             title: said!("The product by every way").to_owned(),
@@ -193,37 +207,49 @@ impl Bench {
                 said!("Way of forming the product. Click a row to form all products so."),
             )
             .with("points", |way| cell(way.points))
-            .figures(said!("points"), said!("Independent points, one multiplication each."))
+            .figures(
+                said!("points"),
+                said!("Independent points, one multiplication each."),
+            )
             .with("delta_e_2000_total", |way| {
                 let total = way.step.colours.delta_e_2000;
                 cell(total).shown(delta_e(total))
             })
             .figures(
                 said!("ΔE₀₀ total"),
-                said!("CIEDE2000 of the model's product against measured light times measured surface; \
-                 the white is the light."),
+                said!(
+                    "CIEDE2000 of the model's product against measured light times measured \
+                     surface; the white is the light."
+                ),
             )
             .with("delta_e_2000_added", |way| {
                 cell(way.step.added).shown(added_words(way.step.added))
             })
             .figures(
                 said!("added"),
-                said!("CIEDE2000 against the exact product of the very same series: the part that \
-                 forming it adds."),
+                said!(
+                    "CIEDE2000 against the exact product of the very same series: the part that \
+                     forming it adds."
+                ),
             )
             .with("folded_share", |way| {
                 cell(way.step.folded_share).shown(share_words(way.step.folded_share))
             })
             .figures(
                 said!("folded"),
-                said!("Alias meter: share of the product's power in waves that the points fold back, or \
-                 that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %."),
+                said!(
+                    "Alias meter: share of the product's power in waves that the points fold \
+                     back, or that the convolution cuts off. The bar is logarithmic, from 0.0001 \
+                     % to 100 %."
+                ),
             )
             .with("multiplications", |way| cell(way.step.multiplications))
             .figures(
                 said!("mult."),
-                said!("Multiplications of one product: one a point, or one a pair of numbers, and one a \
-                 line."),
+                said!(
+                    "Multiplications of one product: one a point, or one a pair of numbers, and \
+                     one a line."
+                ),
             )
             .with("ns", |way| {
                 cell(time(way)).shown(or_dash(time(way), nanoseconds))
@@ -243,7 +269,7 @@ impl Bench {
                 cell(of(reading)).shown(decimals(of(reading), 4))
             })
         };
-                let cost = |way: usize, name: &'static str| {
+        let cost = |way: usize, name: &'static str| {
             column(
                 format!("{name}_delta_e_2000"),
                 move |(_, costs): &Row<'_>| cell(costs[way]).shown(delta_e(costs[way])),
@@ -266,11 +292,16 @@ impl Bench {
             .and(read("corrected", |reading| reading.linear))
             .figures(
                 said!("corrected"),
-                said!("Eq. 17 with its two weights exchanged: the straight line between two of the \
-                 paper's points."),
+                said!(
+                    "Eq. 17 with its two weights exchanged: the straight line between two of the \
+                     paper's points."
+                ),
             )
             .and(read("printed", |reading| reading.printed))
-            .figures(said!("as printed"), said!("Eq. 17 with its weights as printed."))
+            .figures(
+                said!("as printed"),
+                said!("Eq. 17 with its weights as printed."),
+            )
             .and(cost(0, later!("series")))
             .and(cost(1, later!("corrected")))
             .and(cost(2, later!("printed")));
@@ -284,8 +315,9 @@ impl Bench {
 }
 
 /// The cost of a reading of Eq. 17.
-pub const EQ_17_COST: &str =
-    later!("CIEDE2000 against the same product with this line weighed by the surface as measured there.");
+pub const EQ_17_COST: &str = later!(
+    "CIEDE2000 against the same product with this line weighed by the surface as measured there."
+);
 
 /// What forming a product adds; an exact zero is told as such.
 fn added_words(added: Option<f64>) -> String {

@@ -4,7 +4,6 @@
 mod diagram;
 mod vectors;
 
-use crate::languages::{fixed, said};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -14,6 +13,7 @@ use crate::{
         quality::{Fidelity, HUE_NAMES, HueBin, RENDERING_NAMES, Rendering},
         srgb::linear_from_xyz,
     },
+    languages::{fixed, said},
     study::quality::{Chosen, OrderFigures},
 };
 
@@ -118,7 +118,11 @@ pub fn bin_bars(lights: &[(&str, &Fidelity)], what: OfBins) -> Chart {
     let (title, unit, range) = match what {
         OfBins::Fidelity => (said!("Fidelity of each hue"), "Rf,h", [0.0, 100.0]),
         OfBins::Chroma => (said!("Chroma shift of each hue"), "%", [-40.0, 40.0]),
-        OfBins::Hue => (said!("Hue shift of each hue"), said!("radians"), [-0.5, 0.5]),
+        OfBins::Hue => (
+            said!("Hue shift of each hue"),
+            said!("radians"),
+            [-0.5, 0.5],
+        ),
     };
     Chart {
         title: beside(title, lights.iter().map(|(name, _)| *name)),
@@ -139,7 +143,12 @@ pub fn bin_bars(lights: &[(&str, &Fidelity)], what: OfBins) -> Chart {
 fn beside<'n>(title: &str, names: impl Iterator<Item = &'n str>) -> String {
     let names: Vec<&str> = names.collect();
     match &names[..] {
-        [first, second] => tr!("{title}: left {first}, right {second}", title, first, second),
+        [first, second] => tr!(
+            "{title}: left {first}, right {second}",
+            title,
+            first,
+            second
+        ),
         _ => title.to_owned(),
     }
 }
@@ -259,7 +268,12 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
         let near = chosen.near_enough(exact);
         let upper = vec![[0.0, exact + near], [last, exact + near]];
         let lower = vec![exact - near; 2];
-        series.push(Series::area(said!("near enough"), Ink::Residual, upper, lower));
+        series.push(Series::area(
+            said!("near enough"),
+            Ink::Residual,
+            upper,
+            lower,
+        ));
         let level = vec![[0.0, exact], [last, exact]];
         series.push(Series::line(said!("measured"), Ink::Measured, level).dashed(Dash::Dashed));
     }

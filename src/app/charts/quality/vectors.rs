@@ -1,12 +1,12 @@
 //! TM-30's colour vector graphic: the reference a circle on the hues, each light around it.
 
-use crate::languages::{fixed, said};
 use std::f64::consts::TAU;
 
 use super::{BLACK, ON_GROUND, WHITE, of_bin};
 use crate::{
     app::chart::{Chart, Dash, Ink, Marks, Piece, Rgb, Series, Shape, stroke},
     color::quality::{Fidelity, HUE_NAMES},
+    languages::{fixed, said},
 };
 
 /// How far the hues reach; 1 is the reference.
@@ -34,7 +34,7 @@ pub fn vector_graphic(lights: &[(&str, &Fidelity)], pointed: Option<usize>) -> C
     }
     series.push(stroke("", WHITE, circle(1.0), 3.4, Dash::Solid));
     let name = if lights.len() == 1 {
-                said!("reference")
+        said!("reference")
     } else {
         said!("references")
     };
@@ -168,7 +168,7 @@ fn names() -> Series {
         .map(|(i, name)| (TAU * (i as f64 + 0.5) / bins, *name))
         .collect();
     words.sort_by_key(|(_, name)| mixed(name));
-        let words = words.into_iter().map(|(turn, name)| {
+    let words = words.into_iter().map(|(turn, name)| {
         let name = said(name);
         // Words stand about their middle: the longer, the further out at the sides.
         let [x, y] = along(turn, NAMES);

@@ -4,6 +4,7 @@ use super::error_words;
 use crate::{
     app::studies::{Field, RaceAsk},
     io::many::capitalised,
+    languages::said,
     study::{Measure, Race, Spread, race::Racer},
 };
 
@@ -61,20 +62,34 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
     let words = |spread: Spread| error_words(measure, Some(spread.median));
     let (ours_words, theirs_words) = (words(ours), words(theirs));
     let class = capitalised(class);
-    let (composite, rival) = (composite.title(), rival_words(rival));
+    let (composite, rival) = (said(composite.title()), rival_words(rival));
     Some(if ours.median < theirs.median {
-        tr!("{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
-             {rival}.", class, ours_words, composite, theirs_words, rival)
+        tr!(
+            "{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
+             {rival}.",
+            class,
+            ours_words,
+            composite,
+            theirs_words,
+            rival
+        )
     } else {
-        tr!("{class}: the composite loses: {rival} {theirs_words} against {ours_words} of the best \
-             composite ({composite}).", class, rival, theirs_words, ours_words, composite)
+        tr!(
+            "{class}: the composite loses: {rival} {theirs_words} against {ours_words} of the \
+             best composite ({composite}).",
+            class,
+            rival,
+            theirs_words,
+            ours_words,
+            composite
+        )
     })
 }
 
 /// A rival in the middle of a sentence.
 fn rival_words(racer: Racer) -> &'static str {
     match racer {
-        Racer::Rival(family) => family.about().in_a_sentence,
-        other => other.title(),
+        Racer::Rival(family) => said(family.about().in_a_sentence),
+        other => said(other.title()),
     }
 }

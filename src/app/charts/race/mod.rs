@@ -14,12 +14,14 @@ pub use winners::{Lamp, Winners, Won};
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
-                figures::SMALLEST,
-        ticks::short,
+        figures::SMALLEST,
         numbers,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
+        ticks::short,
     },
+    languages::said,
+    spectrum::Basis,
     study::{Measure, Race, race::Racer},
 };
 
@@ -29,11 +31,15 @@ pub fn short_name(racer: Racer) -> String {
         Racer::Composite(way) => {
             let part = |is_there, part| if is_there { part } else { "" };
             let exact = part(way.colour_exact, " ex");
-            return way.basis.title() + exact + part(way.spikes, " +l");
+            let basis = match way.basis {
+                Basis::Fourier => said!("Fourier"),
+                Basis::Cosine => said!("Cosine"),
+            };
+            return format!("{basis}{exact}{}", part(way.spikes, " +l"));
         }
         Racer::WideLines => said!("Wide lines"),
         Racer::KnownLamps => said!("Known lamps"),
-        Racer::Rival(family) => family.about().short,
+        Racer::Rival(family) => said(family.about().short),
         Racer::Chosen => said!("Chosen"),
     };
     name.to_owned()
@@ -142,7 +148,7 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
     let last = race.budgets.last().map_or(1.0, |n| *n as f64);
     let room = (0.03 * (last - first)).max(0.5);
     let mut notes = race_notes(ask);
-        let smallest = short(SMALLEST);
+    let smallest = short(SMALLEST);
     notes.push(match many {
         true => tr!(
             "Medians over the lights. Below {smallest} an error is drawn at it. ex: colour-exact, \
@@ -186,7 +192,7 @@ pub fn strip_chart(
         some.map(|(place, (racer, error))| {
             let words = error_words(measure, Some(*error));
             let at = [place as f64, of_measure.drawn(*error)];
-            (at, format!("{}: {words}", racer.title()))
+            (at, format!("{}: {words}", said(racer.title())))
         })
         .unzip()
     };
@@ -212,7 +218,12 @@ pub fn strip_chart(
         y_scale: Scale::Log10,
         series: vec![
             dots(said!("other ways"), Ink::Measured, Shape::Ring, false),
-            dots(said!("composites and known lamps"), Ink::Spikes, Shape::Dot, true),
+            dots(
+                said!("composites and known lamps"),
+                Ink::Spikes,
+                Shape::Dot,
+                true,
+            ),
         ],
         notes: race_notes(ask),
         ..Chart::default()
@@ -248,7 +259,11 @@ pub fn ahead(
     let is_rival = |racer: &Racer| matches!(racer, Racer::Rival(_));
     let best = |rival: bool| errors.iter().find(|(racer, _)| is_rival(racer) == rival);
     let words = |(racer, error): &(Racer, f64)| {
-        format!("{} {}", racer.title(), error_words(measure, Some(*error)))
+        format!(
+            "{} {}",
+            said(racer.title()),
+            error_words(measure, Some(*error))
+        )
     };
     let numbers = race.budgets.get(budget).copied().unwrap_or_default();
     match (best(false), best(true)) {
@@ -256,7 +271,7 @@ pub fn ahead(
             "{lights} in {numbers} numbers, {figure}: {ours}, best other {other}.",
             lights = of_whom(ask, race, class),
             numbers,
-            figure = measure.figure().title,
+            figure = measure.figure().title(),
             ours = words(ours),
             other = words(other)
         ),
@@ -303,7 +318,7 @@ pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usiz
         ),
         x_label: said!("place").to_owned(),
         x_names: names
-            .map(|(i, racer)| (i as f64 + 1.0, racer.title().to_owned()))
+            .map(|(i, racer)| (i as f64 + 1.0, said(racer.title()).to_owned()))
             .collect(),
         y_label: String::new(),
         x_range: [0.5, race.racers.len() as f64 + 0.5],

@@ -2,6 +2,7 @@
 
 use crate::{
     app::numbers::{error, nanoseconds, or_dash},
+    languages::said,
     study::{
         Measure, Race, Spread,
         race::{Racer, Row, figures},
@@ -49,7 +50,12 @@ impl RaceCell {
         let [median, p95, worst] = figures(spread).map(|value| error(factor * value));
         Self {
             text: format!("{median} / {p95}"),
-            tip: tr!("median {median}, 95 % below {p95}, worst {worst}", median, p95, worst),
+            tip: tr!(
+                "median {median}, 95 % below {p95}, worst {worst}",
+                median,
+                p95,
+                worst
+            ),
             wins: false,
         }
     }
@@ -81,7 +87,7 @@ impl RaceTable {
         let mut columns = Vec::new();
         patches(&mut columns, &rows, many, decides);
         let of = |measure: Measure| {
-            let mut column = measured(measure, measure.figure().meaning, &rows, many);
+            let mut column = measured(measure, measure.figure().meaning(), &rows, many);
             column.decides = measure == decides;
             if many && measure == Measure::Own {
                 // Two figures too small to be written, and the sign of those who win.
@@ -90,8 +96,9 @@ impl RaceTable {
             column
         };
         columns.extend(BEFORE_CHECK.map(of));
-        let check = said!("Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
-                     choice.");
+        let check = said!(
+            "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any choice."
+        );
         columns.push(spread_column(
             said!("check, ΔE₀₀"),
             check,
@@ -133,7 +140,7 @@ pub fn group(racer: Racer) -> &'static str {
 pub fn name(racer: Racer) -> &'static str {
     match racer {
         Racer::Chosen => said!("Best composite per light"),
-        other => other.title(),
+        other => said(other.title()),
     }
 }
 
@@ -142,11 +149,14 @@ pub fn about(racer: Racer) -> String {
     let words = match racer {
         Racer::Composite(way) => {
             let spikes = if way.spikes {
-                said!("The heaviest lines are kept, as many as make the error behind a 10 nm blur least.")
+                said!(
+                    "The heaviest lines are kept, as many as make the error behind a 10 nm blur \
+                     least."
+                )
             } else {
                 said!("No lines.")
             };
-                        match way.colour_exact {
+            match way.colour_exact {
                 true => {
                     let exact = said!("The light's own X, Y, Z are made exact.");
                     format!("{spikes} {exact}")
@@ -154,19 +164,25 @@ pub fn about(racer: Racer) -> String {
                 false => spikes.to_owned(),
             }
         }
-        Racer::WideLines => said!("A short cosine series and lines of their own width, chosen together; \
-                             decoding needs the formula alone.")
-            .to_owned(),
-        Racer::KnownLamps => said!("Up to two of the program's lamps, a short cosine series and lines \
-                              of their own width, chosen together; needs the program's list of \
-                              lamps. Neither the light at hand nor its likes are among them.")
-            .to_owned(),
-        Racer::Rival(family) => family.about().meaning.to_owned(),
-        Racer::Chosen => said!("For each light the composite that is best on the surfaces: one of the \
-                          eight above again, so it wins nothing of its own.")
-            .to_owned(),
+        Racer::WideLines => said!(
+            "A short cosine series and lines of their own width, chosen together; decoding needs \
+             the formula alone."
+        )
+        .to_owned(),
+        Racer::KnownLamps => said!(
+            "Up to two of the program's lamps, a short cosine series and lines of their own \
+             width, chosen together; needs the program's list of lamps. Neither the light at hand \
+             nor its likes are among them."
+        )
+        .to_owned(),
+        Racer::Rival(family) => said(family.about().meaning).to_owned(),
+        Racer::Chosen => said!(
+            "For each light the composite that is best on the surfaces: one of the eight above \
+             again, so it wins nothing of its own."
+        )
+        .to_owned(),
     };
-    format!("{}. {words}", racer.title())
+    format!("{}. {words}", said(racer.title()))
 }
 
 /// Errors closer than this are equal: a colour-exact fit is off by rounding only.
@@ -187,9 +203,9 @@ fn mark(rows: &[Row], cells: &mut [RaceCell], value: Value<'_>) {
 }
 
 fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Measure) {
-        let tip = format!(
+    let tip = format!(
         "{} {}",
-        Measure::Patches.figure().meaning,
+        Measure::Patches.figure().meaning(),
         said!("Light and reflectances are both approximated, with the same count of numbers.")
     );
     if !many {
@@ -204,7 +220,7 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
     let parts: [(&str, Part, &str); 3] = [
         (&first, |s| s.median, said!("Half of the lights are below.")),
         ("95 %", |s| s.p95, said!("95 % of the lights are below.")),
-            (said!("worst"), |s| s.worst, said!("The worst light.")),
+        (said!("worst"), |s| s.worst, said!("The worst light.")),
     ];
     for (i, (title, part, more)) in parts.into_iter().enumerate() {
         let value = |row: &Row| row.spreads[Measure::Patches].map(part);
@@ -236,7 +252,7 @@ fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColum
 /// What stands over a figure.
 fn over(measure: Measure) -> String {
     let figure = measure.figure();
-    format!("{}, {}", figure.short, figure.unit.sign)
+    format!("{}, {}", figure.short(), figure.unit.sign)
 }
 
 /// A figure's column.
@@ -291,13 +307,15 @@ fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> Race
             }
         })
         .collect();
-    let tip = said!("Numbers really spent: a table may have fewer components than asked for, and a \
-               wavelet coefficient takes two.");
-        column(said!("numbers"), tip, 58.0, cells)
+    let tip = said!(
+        "Numbers really spent: a table may have fewer components than asked for, and a wavelet \
+         coefficient takes two."
+    );
+    column(said!("numbers"), tip, 58.0, cells)
 }
 
 fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str) {
-        let first = tr!(
+    let first = tr!(
         "Measured in this run on {light}, the light with most lines.",
         light = cost_of
     );
@@ -316,24 +334,28 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
         said!("The smooth part goes below -0.1 % of the peak, or not.")
     };
     add(
-        if many { said!("below 0 %") } else { said!("below 0") },
+        if many {
+            said!("below 0 %")
+        } else {
+            said!("below 0")
+        },
         lobes.to_owned(),
         54.0,
         &|row| Some(row.negative_lobes),
         &|share| match (many, share > 0.0) {
             (true, _) => format!("{:.0}", 100.0 * share),
-                        (false, true) => said!("yes").to_owned(),
+            (false, true) => said!("yes").to_owned(),
             (false, false) => said!("no").to_owned(),
         },
     );
     add(
-                said!("ns/product"),
+        said!("ns/product"),
         format!(
             "{} {first}",
             said!(
                 "Time from the stored numbers of a light and a reflectance to the values of their \
-                 product, nanoseconds. Samples and boxes multiply their own few values; the others \
-                 are read at points first."
+                 product, nanoseconds. Samples and boxes multiply their own few values; the \
+                 others are read at points first."
             )
         ),
         82.0,
@@ -341,7 +363,7 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
         &nanoseconds,
     );
     add(
-                said!("ns/value"),
+        said!("ns/value"),
         format!(
             "{} {first}",
             said!("Time for one value at one wavelength, nanoseconds.")
@@ -351,10 +373,12 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
         &nanoseconds,
     );
     add(
-                said!("bytes"),
-        said!("Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes \
-         2, and wide lines and known lamps have words of 4.")
-            .to_owned(),
+        said!("bytes"),
+        said!(
+            "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place \
+             takes 2, and wide lines and known lamps have words of 4."
+        )
+        .to_owned(),
         62.0,
         &|row| row.cost.map(|c| c.bytes as f64),
         &|bytes| format!("{bytes:.0}"),
@@ -366,15 +390,19 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
 fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
     for (title, tip, yes) in [
         (
-                        said!("portable"),
-            said!("Numbers that mean something by themselves; principal components need their table, \
-             known lamps the list of lamps."),
+            said!("portable"),
+            said!(
+                "Numbers that mean something by themselves; principal components need their \
+                 table, known lamps the list of lamps."
+            ),
             (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
         ),
         (
-                        said!("flexible"),
-            said!("One fit that can be cut anywhere: fewer numbers are the first of more. With lines or \
-             colour-exact every count is a fit of its own."),
+            said!("flexible"),
+            said!(
+                "One fit that can be cut anywhere: fewer numbers are the first of more. With \
+                 lines or colour-exact every count is a fit of its own."
+            ),
             Racer::is_prefix,
         ),
     ] {
@@ -383,13 +411,15 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
             tip,
             58.0,
             rows.iter()
-                .map(|row| RaceCell::of(
-                    match yes(row.racer) {
-                        true => said!("yes"),
-                        false => said!("no"),
-                    }
-                    .to_owned(),
-                ))
+                .map(|row| {
+                    RaceCell::of(
+                        match yes(row.racer) {
+                            true => said!("yes"),
+                            false => said!("no"),
+                        }
+                        .to_owned(),
+                    )
+                })
                 .collect(),
         ));
     }

@@ -2,9 +2,9 @@
 //! no part in any choice, and the cells that are won.
 
 use super::RaceCell;
-use crate::languages::{Language, fixed, spoken};
 use crate::{
     app::{numbers, race_report::in_cells, studies::RaceAsk},
+    languages::{Language, fixed, said, spoken},
     study::{
         Race, Spread,
         race::{Judged, Racer, figures},
@@ -47,8 +47,36 @@ fn per_cent(won: usize, of: usize) -> String {
     }
     (1000 * won + of / 2).checked_div(of).map_or_else(
         || "–".to_owned(),
-                |tenths| format!("{} %", fixed(tenths.min(999) as f64 / 10.0, 1)),
+        |tenths| format!("{} %", fixed(tenths.min(999) as f64 / 10.0, 1)),
     )
+}
+
+/// How the cells are counted, for so many lights and at these counts.
+fn how(lights: usize, counts: &str, is_strict: bool) -> String {
+    let cell = match lights {
+        1 => tr!(
+            "A cell is an error, and a count of numbers ({counts}).",
+            counts
+        ),
+        _ => tr!(
+            "A cell is an error, its median, 95th percentile or worst, a class of lights and a \
+             count of numbers ({counts}).",
+            counts
+        ),
+    };
+    let one = match is_strict {
+        true => {
+            said!("Strictly counted: a line takes three numbers, a known lamp two, the label one.")
+        }
+        false => said!(
+            "Numbers are words of 32 bits: a line takes two, a known lamp one, the label one."
+        ),
+    };
+    let judge = said!(
+        "No table holds the light at hand or its likes; the 99 samples of TM-30 and filters \
+         between those of the choice judge."
+    );
+    format!("{cell} {one} {judge}")
 }
 
 impl Ways {
@@ -77,7 +105,7 @@ impl Ways {
         let budgets: Vec<String> = counts.iter().map(usize::to_string).collect();
         Some(Self {
             sentence: sentence(race, &won),
-                        how: how(race.lamps.len(), &budgets.join(", "), ask.strict),
+            how: how(race.lamps.len(), &budgets.join(", "), ask.strict),
             counts: won,
         })
     }
@@ -89,7 +117,7 @@ impl Ways {
                 .iter()
                 .map(|(peer, won, of)| format!("{won} of {of} against {}", peer.word()));
             let against: Vec<String> = against.collect();
-                        format!("cells won by {}: {}", ours.word(), against.join(", "))
+            format!("cells won by {}: {}", ours.word(), against.join(", "))
         };
         let lines = self.counts.iter().map(line);
         lines.chain([self.sentence.clone()]).collect()
@@ -136,7 +164,6 @@ fn cell(spread: Option<Spread>, error: Judged) -> RaceCell {
 }
 
 fn sentence(race: &Race, counts: &[Won]) -> String {
-    
     let said = counts.iter().filter_map(|(ours, against)| {
         let peers = || against.iter().filter(|(peer, ..)| *peer != Racer::Chosen);
         let won: usize = peers().map(|(_, won, _)| won).sum();
@@ -146,12 +173,12 @@ fn sentence(race: &Race, counts: &[Won]) -> String {
             .filter(|count| share(count).is_some())
             .min_by_key(share)?;
         let (peer, least_won, least_of) = least;
-                let share = per_cent(won, of);
+        let share = per_cent(won, of);
         let least = per_cent(*least_won, *least_of);
         // In the middle of a sentence; only English writes all of it small.
         let peer = match spoken() {
             Language::English => peer.title().to_lowercase(),
-            _ => peer.title().to_owned(),
+            _ => said(peer.title()).to_owned(),
         };
         Some(match (ours, won == of) {
             (Racer::KnownLamps, true) => tr!(
@@ -197,7 +224,11 @@ fn sentence(race: &Race, counts: &[Won]) -> String {
             "On {count} lights there is nothing to compare.",
             count = lamps.len()
         ),
-        (lamps, false) => tr!("On {count} lights, {clauses}.", count = lamps.len(), clauses),
+        (lamps, false) => tr!(
+            "On {count} lights, {clauses}.",
+            count = lamps.len(),
+            clauses
+        ),
     }
 }
 

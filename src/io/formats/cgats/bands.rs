@@ -1,5 +1,6 @@
 //! The columns of a CGATS table that form a spectrum, and their wavelengths.
 
+use crate::languages::fixed;
 use std::collections::HashMap;
 
 use crate::io::write::argyll::LABELS_NM;
@@ -106,13 +107,11 @@ pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Optio
     let [Some(bands), Some(start), Some(end)] = stated else {
         return of_labels(None);
     };
-    let header = format!("SPECTRAL_BANDS {bands} from {start} to {end} nm");
+    let header = tr!("SPECTRAL_BANDS {bands} from {start} to {end} nm", bands, start, end);
     let (count, first, last) = (labels.len(), labels[0], labels[labels.len() - 1]);
-    let columns = format!("{count} columns from {first} to {last} nm");
+    let columns = tr!("{count} columns from {first} to {last} nm", count, first, last);
     if bands != count as f64 || count < 2 {
-        return of_labels(Some(format!(
-            "the header says {header} and there are {columns}: the columns are believed"
-        )));
+        return of_labels(Some(tr!("the header says {header} and there are {columns}: the columns are believed", header, columns)));
     }
     let step = (end - start) / (bands - 1.0);
     let even: Vec<f64> = (0..count).map(|i| start + step * i as f64).collect();
@@ -121,14 +120,12 @@ pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Optio
     // Labels with decimals are rounded much finer.
     let are_whole = labels.iter().all(|nm| nm.fract() == 0.0);
     if largest > if are_whole { ROUNDED_NM } else { 0.06 } {
-        return of_labels(Some(format!(
-            "the header says {header} and the labels are {columns}: the labels are believed"
-        )));
+        return of_labels(Some(tr!("the header says {header} and the labels are {columns}: the labels are believed", header, columns)));
     }
     if largest <= 1e-9 {
         return of_labels(None);
     }
     let note =
-        format!("labels are rounded, by up to {largest:.3} nm: the header's {header} is believed");
+        tr!("labels are rounded, by up to {largest} nm: the header's {header} is believed", largest = fixed(largest, 3), header);
     (even, Some(note))
 }

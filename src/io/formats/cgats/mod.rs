@@ -65,7 +65,7 @@ fn sniff(input: &Input) -> Confidence {
 fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
     match table.names.get(set).copied().unwrap_or("") {
         word if word.contains(char::is_alphabetic) => word.to_owned(),
-        "" if several => format!("{}, set {}", input.stem(), set + 1),
+        "" if several => tr!("{stem}, set {set}", stem = input.stem(), set = set + 1),
         "" if table.is_own() => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
         number if several => format!("{}, {number}", input.stem()),
         _ => input.stem().to_owned(),
@@ -81,15 +81,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for (index, table) in tables.iter().enumerate() {
         let groups = &table.fields.bands;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
-            let found = format!("more than {MOST_SPECTRA} spectra");
-            return Err(input.error(found, "a smaller file"));
+            let found = tr!("more than {MOST_SPECTRA} spectra", MOST_SPECTRA);
+            return Err(input.error(found, said!("a smaller file")));
         }
         for group in groups {
             read_group(input, table, group, &mut reading)?;
         }
         reading.notes.extend(table.notes.iter().cloned());
         if several_tables && has_spectra(&table) {
-            let note = format!("table {}: {} sets", index + 1, table.sets());
+            let note = tr!("table {index}: {sets} sets", index = index + 1, sets = table.sets());
             reading.notes.push(note);
         }
     }
@@ -118,10 +118,10 @@ fn norm_in_words(norm: Option<f64>, kind: Kind) -> (Option<String>, Option<Strin
     let Some(norm) = norm.filter(|norm| *norm != 1.0) else {
         return (None, None);
     };
-    let divided = format!("divided by SPECTRAL_NORM {norm}");
+    let divided = tr!("divided by SPECTRAL_NORM {norm}", norm);
     match () {
         () if !SENSIBLE_NORMS.contains(&norm) => {
-            let note = format!("SPECTRAL_NORM {norm} makes no sense and was passed over");
+            let note = tr!("SPECTRAL_NORM {norm} makes no sense and was passed over", norm);
             (None, Some(note))
         }
         () if kind.is_factor() && norm == 100.0 => (None, Some(divided)),
@@ -182,29 +182,29 @@ fn read_group(
 
 /// The refusal of a file without spectra.
 fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
-    const EXPECTED: &str = "columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380";
+    const EXPECTED: &str = later!("columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380");
     let measured = tables.iter().find(|t| t.kind != "CAL");
     let table = measured.or(tables.first());
     let first = || input.head().split_whitespace().next().unwrap_or("");
     let what = match table.map_or_else(first, |table| table.kind) {
-        "CCMX" => "an Argyll colorimeter matrix (.ccmx)",
-        "CAL" => "an Argyll calibration",
-        _ if table.is_none() => "a CGATS header without a table",
-        _ => "a CGATS table",
+        "CCMX" => said!("an Argyll colorimeter matrix (.ccmx)"),
+        "CAL" => said!("an Argyll calibration"),
+        _ if table.is_none() => said!("a CGATS header without a table"),
+        _ => said!("a CGATS table"),
     };
     let Some(table) = table else {
-        return input.error(format!("{what} and no spectral columns"), EXPECTED);
+        return input.error(tr!("{what} and no spectral columns", what), EXPECTED);
     };
     let line = table.fields.line;
     if !table.fields.bands.is_empty() {
-        let found = format!("{what} with spectral columns and no sets in it");
-        return input.error_at(line, found, "at least one set of data");
+        let found = tr!("{what} with spectral columns and no sets in it", what);
+        return input.error_at(line, found, said!("at least one set of data"));
     }
     let titles = &table.fields.titles;
     let more = ["..."].into_iter().filter(|_| titles.len() > 8);
     let fields: Vec<&str> = titles.iter().copied().take(8).chain(more).collect();
     let fields: String = fields.join(" ").chars().take(120).collect();
     let sets = table.sets();
-    let found = format!("{what} of {sets} sets with no spectral columns ({fields})");
+    let found = tr!("{what} of {sets} sets with no spectral columns ({fields})", what, sets, fields);
     input.error_at(line, found, EXPECTED)
 }

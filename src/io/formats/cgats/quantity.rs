@@ -18,12 +18,12 @@ pub(super) struct Quantity<'a> {
 /// Kinds by Argyll's `MEAS_TYPE` and the terms of other programs: words contained, the kind, and
 /// Argyll's unit.
 const STATED: [([&str; 2], Kind, &str); 9] = [
-    (["AMBIENT", "FLASH"], Kind::Light, "mW s m-2 nm-1"),
-    (["AMBIENT", ""], Kind::Light, "mW m-2 nm-1"),
-    (["IRRADIAN", ""], Kind::Light, "mW m-2 nm-1"),
-    (["FLASH", ""], Kind::Light, "mW s m-2 sr-1 nm-1"),
-    (["EMISS", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
-    (["RADIANCE", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
+    (["AMBIENT", "FLASH"], Kind::Light, later!("mW s m-2 nm-1")),
+    (["AMBIENT", ""], Kind::Light, later!("mW m-2 nm-1")),
+    (["IRRADIAN", ""], Kind::Light, later!("mW m-2 nm-1")),
+    (["FLASH", ""], Kind::Light, later!("mW s m-2 sr-1 nm-1")),
+    (["EMISS", ""], Kind::Light, later!("mW m-2 sr-1 nm-1")),
+    (["RADIANCE", ""], Kind::Light, later!("mW m-2 sr-1 nm-1")),
     (["REFLECT", ""], Kind::Reflectance, ""),
     (["TRANSMI", ""], Kind::Transmittance, ""),
     (["SENSITIV", ""], Kind::Weighting, ""),
@@ -82,7 +82,7 @@ fn stated_quantity<'a>(table: &CgatsTable<'a>) -> Option<Quantity<'a>> {
             return Some(stated(kind, ""));
         }
         return Some(Quantity {
-            note: Some(format!("{unit} is Argyll's unit; the file states none")),
+            note: Some(tr!("{unit} is Argyll's unit; the file states none", unit)),
             ..stated(kind, unit)
         });
     }
@@ -105,7 +105,7 @@ fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     } else {
         starts(&"T|").then_some(Kind::Transmittance)?
     };
-    Some(Decision::guessed(kind, true, "the columns' labels"))
+    Some(Decision::guessed(kind, true, said!("the columns' labels")))
 }
 
 /// The kind by the first of some keywords that implies one, marked as evident or as a guess.
@@ -117,7 +117,7 @@ fn kind_of_keywords(
     keys.iter().find_map(|key| {
         let value = table.key(key)?;
         let (kind, is_evident) = kind(value)?;
-        let says = format!("{key} says {}", quoted(value.trim()));
+        let says = tr!("{key} says {trim}", key, trim = quoted(value.trim()));
         Some(Decision::guessed(kind, is_evident, says))
     })
 }
@@ -161,7 +161,7 @@ fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
 /// The kind by the file's name, else by the size of the values.
 fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decision<Kind> {
     if let Some(kind) = kind_of_name(&input.name) {
-        return Decision::guessed(kind, is_plain_name(&input.name), "the file's name");
+        return Decision::guessed(kind, is_plain_name(&input.name), said!("the file's name"));
     }
     let all_in = |low: f64, high: f64| {
         let mut known = values.iter().flatten().filter(|v| !v.is_nan());
@@ -170,10 +170,10 @@ fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decis
     // Several patches of a chart with per cent, by a program that is not Argyll.
     let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
     let (kind, because) = match () {
-        () if all_in(-0.05, 1.3) => (Kind::Reflectance, "; all values lie in 0..1"),
-        () if is_chart => (Kind::Reflectance, "; several sets with values of 0..100"),
+        () if all_in(-0.05, 1.3) => (Kind::Reflectance, said!("; all values lie in 0..1")),
+        () if is_chart => (Kind::Reflectance, said!("; several sets with values of 0..100")),
         () => (Kind::Light, ""),
     };
-    let because = format!("nothing states it{because}");
+    let because = tr!("nothing states it{because}", because);
     Decision::guessed(kind, false, because)
 }

@@ -188,7 +188,7 @@ pub(super) fn tables<'a>(input: &Input, text: &'a str) -> Result<Vec<CgatsTable<
             ["BEGIN_DATA", ..] => {
                 if open.fields.titles.is_empty() {
                     // A further table may go on with the fields of the one before.
-                    let expected = "BEGIN_DATA_FORMAT before it";
+                    let expected = said!("BEGIN_DATA_FORMAT before it");
                     let nothing = || input.error_at(line, "BEGIN_DATA", expected);
                     open.fields = done.last().ok_or_else(nothing)?.fields.clone();
                 }
@@ -197,8 +197,8 @@ pub(super) fn tables<'a>(input: &Input, text: &'a str) -> Result<Vec<CgatsTable<
                 table.finish(done.first());
                 done.push(table);
                 if let Some(end) = end.filter(|_| done.len() >= MOST_TABLES) {
-                    let found = format!("more than {MOST_TABLES} tables");
-                    return Err(input.error_at(end, found, "a smaller file"));
+                    let found = tr!("more than {MOST_TABLES} tables", MOST_TABLES);
+                    return Err(input.error_at(end, found, said!("a smaller file")));
                 }
             }
             [other, ..] if other.starts_with("BEGIN_") => {
@@ -258,11 +258,11 @@ impl<'a> CgatsTable<'a> {
             }
         }
         if !row.is_empty() {
-            let expected = format!("{width}, one for each field");
-            return Err(input.error_at(first, format!("{} cells", row.len()), expected));
+            let expected = tr!("{width}, one for each field", width);
+            return Err(input.error_at(first, tr!("{row} cells", row = row.len()), expected));
         }
         if end.is_none() {
-            let note = "the file ends without END_DATA";
+            let note = said!("the file ends without END_DATA");
             self.notes.push(note.to_owned());
         }
         Ok(end)
@@ -280,7 +280,7 @@ impl<'a> CgatsTable<'a> {
                         value
                     }
                     _ => {
-                        let expected = format!("a number for {}", self.fields.titles[*column]);
+                        let expected = tr!("a number for {column}", column = self.fields.titles[*column]);
                         return Err(input.error_at(line, quoted(cell), expected));
                     }
                 },
@@ -305,7 +305,7 @@ impl<'a> CgatsTable<'a> {
             ("NUMBER_OF_SETS", self.sets(), "sets"),
         ] {
             if let Some(says) = self.number(key).filter(|says| *says != found as f64) {
-                let note = format!("{key} says {says} and there are {found} {what}");
+                let note = tr!("{key} says {says} and there are {found} {what}", key, says, found, what);
                 self.notes.push(note);
             }
         }

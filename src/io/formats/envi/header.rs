@@ -46,7 +46,7 @@ impl Header {
     /// # Errors
     /// [`ReadError`] if the value that marks missing data is not a number.
     pub fn layout(&self) -> Result<Layout, ReadError> {
-        let missing = self.number("data ignore value")?;
+        let missing = self.number(said!("data ignore value"))?;
         Ok(Layout {
             missing,
             ..self.layout
@@ -65,14 +65,14 @@ impl Header {
     /// [`ReadError`] with the size of the data in words.
     pub(super) fn few_bytes(&self) -> Result<usize, ReadError> {
         let few = self.bytes().filter(|bytes| *bytes as u64 <= MOST_BYTES);
-        few.ok_or_else(|| self.error("samples", self.in_words(), "at most 512 MiB of data"))
+        few.ok_or_else(|| self.error("samples", self.in_words(), said!("at most 512 MiB of data")))
     }
 
     /// The refusal of data that end after `found` bytes, too early.
     pub(super) fn short(&self, found: usize, data_name: &str) -> ReadError {
         let (numbers, offset) = (self.in_words(), self.layout.first_byte);
-        let expected = format!("{numbers} after {offset} bytes, as {} says", self.file);
-        ReadError::new(data_name, format!("{found} bytes"), expected)
+        let expected = tr!("{numbers} after {offset} bytes, as {file} says", numbers, offset, file = self.file);
+        ReadError::new(data_name, tr!("{found} bytes", found), expected)
     }
 
     /// The expected contents of the data file, in words.
@@ -82,7 +82,7 @@ impl Header {
             true => (self.channels, self.width),
             false => (self.width, self.channels),
         };
-        format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
+        tr!("{samples} x {lines} x {bands} numbers of {bytes} bytes", samples, lines, bands, bytes)
     }
 }
 
@@ -111,7 +111,7 @@ impl Fields {
         let number = |item: &str| {
             number::number(item, false)
                 .filter(|x| x.is_finite())
-                .ok_or_else(|| self.error(key, quoted(item), format!("numbers in \"{key}\"")))
+                .ok_or_else(|| self.error(key, quoted(item), tr!("numbers in \"{key}\"", key)))
         };
         self.list(key).into_iter().map(number).collect()
     }
@@ -128,18 +128,18 @@ impl Fields {
         match number::number(text, false) {
             Some(x) => Ok(Some(x)),
             None if text.to_lowercase().contains("nan") => Ok(None),
-            None => Err(self.error(key, quoted(text), format!("a number as \"{key}\""))),
+            None => Err(self.error(key, quoted(text), tr!("a number as \"{key}\"", key))),
         }
     }
 
     /// A whole number; `otherwise` where the field may be missing and is.
     fn count(&self, key: &str, otherwise: Option<usize>) -> Result<usize, ReadError> {
         let Some(text) = self.text(key) else {
-            let expected = format!("a line \"{key} = number\"");
-            let missing = || ReadError::new(&self.file, format!("no \"{key}\""), expected);
+            let expected = tr!("a line \"{key} = number\"", key);
+            let missing = || ReadError::new(&self.file, tr!("no \"{key}\"", key), expected);
             return otherwise.ok_or_else(missing);
         };
-        let expected = format!("a whole number as \"{key}\"");
+        let expected = tr!("a whole number as \"{key}\"", key);
         text.parse()
             .map_err(|_| self.error(key, quoted(text), expected))
     }
@@ -220,38 +220,38 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let samples = header.count("samples", None)?;
     let lines = header.count("lines", None)?;
     let bands = header.count("bands", Some(1))?;
-    let first_byte = header.count("header offset", Some(0))?;
-    let data_type = header.count("data type", None)?;
-    let byte_order = header.count("byte order", Some(0))?;
+    let first_byte = header.count(said!("header offset"), Some(0))?;
+    let data_type = header.count(said!("data type"), None)?;
+    let byte_order = header.count(said!("byte order"), Some(0))?;
     let number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
-            6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
-            other => format!("data type {other}"),
+            6 | 9 => said!("complex numbers (data type 6 or 9)").to_owned(),
+            other => tr!("data type {other}", other),
         };
-        let expected = "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15";
-        header.error("data type", found, expected)
+        let expected = said!("data type 1, 2, 3, 4, 5, 12, 13, 14 or 15");
+        header.error(said!("data type"), found, expected)
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
     let interleave = match &*word {
         "bsq" => Interleave::Bands,
         "bil" => Interleave::Lines,
         "bip" => Interleave::Pixels,
-        _ => return Err(header.error("interleave", quoted(&word), "bsq, bil or bip")),
+        _ => return Err(header.error("interleave", quoted(&word), said!("bsq, bil or bip"))),
     };
     for (key, value) in [("samples", samples), ("lines", lines), ("bands", bands)] {
         if value == 0 {
-            return Err(header.error(key, format!("{key} = 0"), "1 or more"));
+            return Err(header.error(key, format!("{key} = 0"), said!("1 or more")));
         }
     }
     if byte_order > 1 {
-        return Err(header.error("byte order", format!("byte order = {byte_order}"), "0 or 1"));
+        return Err(header.error(said!("byte order"), tr!("byte order = {byte_order}", byte_order), said!("0 or 1")));
     }
-    let compression = "file compression";
+    let compression = said!("file compression");
     if header.text(compression).is_some_and(|word| word != "0") {
-        let expected = "data that are not compressed; unpack them with ENVI or GDAL first";
-        return Err(header.error(compression, "compressed data", expected));
+        let expected = said!("data that are not compressed; unpack them with ENVI or GDAL first");
+        return Err(header.error(compression, said!("compressed data"), expected));
     }
-    let kind = header.text("file type").unwrap_or("").to_lowercase();
+    let kind = header.text(said!("file type")).unwrap_or("").to_lowercase();
     let names_spectra = header.fields.contains_key("spectra names");
     let has_one_band = bands == 1 && samples > 1;
     let is_library = kind.contains("spectral library")
@@ -291,7 +291,7 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, Re
             continue;
         }
         let Some((key, value)) = trimmed.split_once('=') else {
-            return Err(refusal(line, &quoted(trimmed), "\"key = value\""));
+            return Err(refusal(line, &quoted(trimmed), said!("\"key = value\"")));
         };
         let mut value = value.trim().to_owned();
         if let Some(inside) = value.strip_prefix('{') {
@@ -302,14 +302,14 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, Re
                 }
                 inside.push_str(rest);
                 inside.push(' ');
-                let open = || format!("{} with no closing brace", quoted(key.trim()));
+                let open = || tr!("{trim} with no closing brace", trim = quoted(key.trim()));
                 let next = rows.next();
-                (_, rest) = next.ok_or_else(|| refusal(line, &open(), "a closing brace"))?;
+                (_, rest) = next.ok_or_else(|| refusal(line, &open(), said!("a closing brace")))?;
             };
             value = inside + end;
         }
         if fields.len() >= most {
-            return Err(refusal(line, "too many fields", "an ENVI header"));
+            return Err(refusal(line, said!("too many fields"), said!("an ENVI header")));
         }
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
         // The first of two fields of one name counts.

@@ -18,10 +18,10 @@ pub(super) fn read(
     data_name: &str,
     choices: &Choices,
 ) -> Result<Reading, ReadError> {
-    let kind = header.text("file type").unwrap_or("");
+    let kind = header.text(said!("file type")).unwrap_or("");
     if kind.to_lowercase().contains("classification") {
-        let found = "a classification (classes, not spectra)";
-        return Err(header.error("file type", found, "a cube or a spectral library"));
+        let found = said!("a classification (classes, not spectra)");
+        return Err(header.error(said!("file type"), found, said!("a cube or a spectral library")));
     }
     let channels = meaning::channels(header, choices.wavelengths)?;
     let (layout, bytes) = (header.layout()?, data.len() as u64);
@@ -30,7 +30,7 @@ pub(super) fn read(
     let cube = cube.map_err(|error| match error {
         CubeError::Short { found, .. } => header.short(found, data_name),
         CubeError::Empty | CubeError::Bands => {
-            header.error("bands", error.to_string(), "an image of two or more bands")
+            header.error("bands", error.to_string(), said!("an image of two or more bands"))
         }
     })?;
     let (known, of_values) = meaning::values(header, data_name, &spectral_image::sample(&cube))?;

@@ -29,15 +29,15 @@ pub(super) fn read(
 ) -> Result<Reading, ReadError> {
     let (channels, count) = (header.channels, header.height);
     if header.width != 1 {
-        let found = format!("a library with bands = {}", header.width);
-        return Err(header.error("bands", found, "bands = 1"));
+        let found = tr!("a library with bands = {width}", width = header.width);
+        return Err(header.error("bands", found, said!("bands = 1")));
     }
     let need = header.bytes().filter(|need| *need <= data.len());
     let need = need.ok_or_else(|| header.short(data.len(), data_name))?;
     let axis = meaning::channels(header, input.choices.wavelengths)?;
     let memory = count.saturating_mul(SPECTRUM_BYTES + SAMPLE_BYTES * axis.bands.len());
     if memory > budget::of(file_bytes) {
-        let found = format!("{count} spectra, which take {}", budget::in_words(memory));
+        let found = tr!("{count} spectra, which take {in_words}", count, in_words = budget::in_words(memory));
         return Err(header.error("lines", found, budget::WORDS));
     }
     let layout = header.layout()?;
@@ -56,11 +56,11 @@ pub(super) fn read(
         .map(|i| value(i / channels, i % channels))
         .collect();
     let (known, of_values) = meaning::values(header, data_name, &sample)?;
-    let names = header.list("spectra names");
+    let names = header.list(said!("spectra names"));
     let nm: Vec<f64> = axis.bands.iter().map(|(nm, _)| *nm).collect();
 
     let mut reading = Reading {
-        in_front: format!("library of {}: ", many(count, "spectrum", "spectra")),
+        in_front: tr!("library of {many}: ", many = many(count, "spectrum", "spectra")),
         ..Reading::default()
     };
     let mut empty = 0_usize;
@@ -69,7 +69,7 @@ pub(super) fn read(
         let values = channels.map(|channel| value(index, channel)).collect();
         let name = match names.get(index) {
             Some(name) if !name.is_empty() => (*name).to_owned(),
-            _ => format!("spectrum {}", index + 1),
+            _ => tr!("spectrum {index}", index = index + 1),
         };
         let raw = RawSpectrum {
             axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
@@ -92,15 +92,15 @@ pub(super) fn read(
     if reading.spectra.is_empty() {
         return Err(ReadError::new(
             data_name,
-            "a library in which nothing was measured",
-            "at least 2 numbers in a spectrum",
+            said!("a library in which nothing was measured"),
+            said!("at least 2 numbers in a spectrum"),
         ));
     }
     let (named, left_over) = (names.len(), data.len() - need);
     let odd = [
-        (empty > 0).then(|| format!("{empty} spectra with fewer than 2 numbers left out")),
-        (named > 0 && named != count).then(|| format!("{named} names for {count} spectra")),
-        (left_over > 0).then(|| format!("{left_over} bytes behind the last spectrum passed over")),
+        (empty > 0).then(|| tr!("{empty} spectra with fewer than 2 numbers left out", empty)),
+        (named > 0 && named != count).then(|| tr!("{named} names for {count} spectra", named, count)),
+        (left_over > 0).then(|| tr!("{left_over} bytes behind the last spectrum passed over", left_over)),
     ];
     reading.notes.extend(odd.into_iter().flatten());
     reading.notes.extend(axis.notes);

@@ -35,17 +35,17 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
     let axis = header.numbers("wavelength")?;
     if axis.len() != stored {
         let found = match axis.len() {
-            0 => format!("{stored} channels without wavelengths"),
-            n => format!("{n} wavelengths for {stored} channels"),
+            0 => tr!("{stored} channels without wavelengths", stored),
+            n => tr!("{n} wavelengths for {stored} channels", n, stored),
         };
-        return Err(header.error("wavelength", found, "\"wavelength = {...}\", one a channel"));
+        return Err(header.error("wavelength", found, said!("\"wavelength = {...}\", one a channel")));
     }
     let mut notes = Vec::new();
-    let title = header.text("wavelength units").unwrap_or("");
+    let title = header.text(said!("wavelength units")).unwrap_or("");
     let word = title.to_lowercase();
     if chosen.is_none() && ["hz", "index"].iter().any(|other| word.contains(other)) {
-        let expected = "nanometers, micrometers, angstroms or wavenumber";
-        return Err(header.error("wavelength units", quoted(title), expected));
+        let expected = said!("nanometers, micrometers, angstroms or wavenumber");
+        return Err(header.error(said!("wavelength units"), quoted(title), expected));
     }
     let (mut found, against) = match chosen {
         Some(unit) => (Decision::chosen(unit), None),
@@ -63,10 +63,10 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
         let words = unit_words(unit, against.as_deref());
         notes.push(taken_as(&words, &found.reason));
     } else if unit != WavelengthUnit::Nanometre {
-        notes.push(format!("wavelengths converted from {}", unit.word()));
+        notes.push(tr!("wavelengths converted from {word}", word = unit.word()));
     }
     if found.origin == Origin::Stated {
-        found.reason = format!("wavelength units = {title}");
+        found.reason = tr!("wavelength units = {title}", title);
     }
     let mut bands: Vec<(f64, usize)> = axis
         .iter()
@@ -76,8 +76,8 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
     drop_bad(header, &mut bands, &mut notes)?;
     put_in_order(&mut bands, &mut notes);
     if bands.len() < 2 {
-        let found = format!("{} good channels", bands.len());
-        let expected = "at least 2 at different wavelengths above 0";
+        let found = tr!("{bands} good channels", bands = bands.len());
+        let expected = said!("at least 2 at different wavelengths above 0");
         return Err(header.error("wavelength", found, expected));
     }
     Ok(Chosen {
@@ -100,16 +100,14 @@ fn drop_bad(
     }
     if good.len() != bands.len() {
         let (entries, channels) = (good.len(), bands.len());
-        notes.push(format!(
-            "the bad bands list has {entries} entries for {channels} channels: passed over"
-        ));
+        notes.push(tr!("the bad bands list has {entries} entries for {channels} channels: passed over", entries, channels));
         return Ok(());
     }
     let before = bands.len();
     bands.retain(|(_, channel)| good[*channel] != 0.0);
     let dropped = before - bands.len();
     if dropped > 0 {
-        notes.push(many(dropped, "bad band dropped", "bad bands dropped"));
+        notes.push(many(dropped, said!("bad band dropped"), said!("bad bands dropped")));
     }
     Ok(())
 }
@@ -119,12 +117,12 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     bands.retain(|(nm, _)| nm.is_finite() && *nm > 0.0);
     if !bands.is_sorted_by(|a, b| a.0 <= b.0) {
         bands.sort_by(|a, b| a.0.total_cmp(&b.0));
-        notes.push("channels put in order of rising wavelength".to_owned());
+        notes.push(said!("channels put in order of rising wavelength").to_owned());
     }
     bands.dedup_by(|later, earlier| later.0 == earlier.0);
     let dropped = before - bands.len();
     if dropped > 0 {
-        let note = format!("{dropped} channels of no or of a doubled wavelength dropped");
+        let note = tr!("{dropped} channels of no or of a doubled wavelength dropped", dropped);
         notes.push(note);
     }
 }
@@ -157,36 +155,34 @@ pub fn values(
     sample: &[f64],
 ) -> Result<(Known, Vec<String>), ReadError> {
     // The first title is the x axis's.
-    let title = header.list("z plot titles");
+    let title = header.list(said!("z plot titles"));
     let title = title.get(1).copied().unwrap_or("");
-    let stated = header.number("reflectance scale factor")?;
+    let stated = header.number(said!("reflectance scale factor"))?;
     let factor = stated.filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
     let mut notes = Vec::new();
     if let (Some(odd), None) = (stated, factor) {
         let (least, most) = (SENSIBLE_FACTORS.start(), SENSIBLE_FACTORS.end());
-        notes.push(format!(
-            "the header's reflectance scale factor of {odd} is not used: expected {least} to {most}"
-        ));
+        notes.push(tr!("the header's reflectance scale factor of {odd} is not used: expected {least} to {most}", odd, least, most));
     }
     let mut scale = KnownScale::Stated(1.0);
     if kind.value.is_factor() {
         scale = match factor.or_else(|| stated_factor(title)) {
             Some(factor) => {
                 if factor != 1.0 {
-                    notes.push(format!("values divided by {factor}, as the header says"));
+                    notes.push(tr!("values divided by {factor}, as the header says", factor));
                 }
                 KnownScale::Stated(1.0 / factor)
             }
             None => KnownScale::Told(or_large(by_size(sample), true, sample)),
         };
     }
-    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
-        notes.push("gains and offsets of the header are not applied".to_owned());
+    if header.text(said!("data gain values")).is_some() || header.text(said!("data offset values")).is_some() {
+        notes.push(said!("gains and offsets of the header are not applied").to_owned());
     }
     let known = Known {
         kind: Some(kind),
-        unit: Some(header.text("data units").unwrap_or("").to_owned()),
+        unit: Some(header.text(said!("data units")).unwrap_or("").to_owned()),
         scale,
         may_be_large: true,
     };
@@ -197,7 +193,7 @@ pub fn values(
 pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
     let beyond = data_bytes.checked_sub(header.bytes()? as u64)?;
     (beyond > 0).then(|| {
-        format!("the data are {beyond} bytes longer than the header says, which are left out")
+        tr!("the data are {beyond} bytes longer than the header says, which are left out", beyond)
     })
 }
 
@@ -213,7 +209,7 @@ fn kind_of_values(
     if let Some(kind) = kinds::kind_of_title(title) {
         return Decision::of_format(kind);
     }
-    let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
+    let words: Vec<String> = [said!("data units"), "description", said!("data values"), said!("sensor type")]
         .iter()
         .filter_map(|key| header.text(key).map(str::to_lowercase))
         .collect();
@@ -229,10 +225,10 @@ fn kind_of_values(
     // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as fractions or
     // times 10 000.
     if largest(sample) <= 20_000.0 {
-        let because = "nothing states it; ENVI files mostly hold reflectances";
+        let because = said!("nothing states it; ENVI files mostly hold reflectances");
         return Decision::guessed(Kind::Reflectance, false, because);
     }
-    Decision::guessed(found.value, false, "nothing states it")
+    Decision::guessed(found.value, false, said!("nothing states it"))
 }
 
 /// The divisor of the values in a title such as `reflectance [*10000]` or `reflectance (%)`.

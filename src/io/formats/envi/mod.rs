@@ -67,14 +67,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let path = input.path.as_deref();
     let (header, name, data): (Header, String, Cow<[u8]>) = if is_header(input) {
         let header = header::parse(&input.name, &input.needs_text()?.text)?;
-        let beside = "its data file beside it in the same folder";
-        let path = path.ok_or_else(|| input.error("an ENVI header by itself", beside))?;
+        let beside = said!("its data file beside it in the same folder");
+        let path = path.ok_or_else(|| input.error(said!("an ENVI header by itself"), beside))?;
         let (name, bytes) = pair::data_of(path, &header)?;
         (header, name, bytes.into())
     } else {
         let header = path
             .and_then(pair::header_of)
-            .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
+            .ok_or_else(|| input.error(said!("ENVI data by itself"), said!("its header .hdr beside it")))?;
         let header = pair::read_header(&header)?;
         header.few_bytes()?;
         (header, input.name.clone(), input.bytes.into())
@@ -117,7 +117,7 @@ pub fn needs(path: &Path) -> Result<Header, ReadError> {
         false => pair::header_of(path),
     };
     let header_path = header_path.ok_or_else(|| {
-        let (found, expected) = ("no ENVI header beside it", "a header .hdr of the same name");
+        let (found, expected) = (said!("no ENVI header beside it"), said!("a header .hdr of the same name"));
         ReadError::new(&name_of(path), found, expected)
     })?;
     let header = pair::read_header(&header_path)?;

@@ -57,7 +57,7 @@ pub(crate) fn starts_as_header(path: &Path) -> bool {
 /// [`ReadError`] when it cannot be read or is not right.
 pub(crate) fn read_header(path: &Path) -> Result<Header, ReadError> {
     let name = name_of(path);
-    let bytes = read_file(path, MOST_HEADER_BYTES, "at most 64 MiB in a header")?;
+    let bytes = read_file(path, MOST_HEADER_BYTES, said!("at most 64 MiB in a header"))?;
     header::parse(&name, &text::decode(&bytes).text)
 }
 
@@ -69,14 +69,11 @@ pub(super) fn data_of(path: &Path, header: &Header) -> Result<(String, Vec<u8>),
     let chosen = place_of_data(path, header.few_bytes()?).ok_or_else(|| {
         ReadError::new(
             &header.file,
-            "an ENVI header by itself",
-            format!(
-                "its data beside it ({} with an ending such as .sli, .img, .bsq, or none)",
-                name_of(&path.with_extension(""))
-            ),
+            said!("an ENVI header by itself"),
+            tr!("its data beside it ({with_extension} with an ending such as .sli, .img, .bsq, or none)", with_extension = name_of(&path.with_extension(""))),
         )
     })?;
-    let bytes = read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?;
+    let bytes = read_file(&chosen, MOST_BYTES, said!("at most 512 MiB in one file"))?;
     Ok((name_of(&chosen), bytes))
 }
 
@@ -100,7 +97,7 @@ pub(crate) fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
 fn read_file(path: &Path, most: u64, at_most: &str) -> Result<Vec<u8>, ReadError> {
     let name = name_of(path);
     let trouble =
-        |error: std::io::Error| ReadError::new(&name, error.to_string(), "a file that can be read");
+        |error: std::io::Error| ReadError::new(&name, error.to_string(), said!("a file that can be read"));
     let size = disk::len(path).map_err(trouble)?;
     if size > most {
         let found = budget::in_words(usize::try_from(size).unwrap_or(usize::MAX));

@@ -26,15 +26,15 @@ use serde::de::IgnoredAny;
 
 /// JSON of other programs.
 pub(crate) const FORMAT: Format = Format {
-    name: "JSON of another program",
+    name: later!("JSON of another program"),
     extensions: &["json", "jsonl"],
     sniff,
     read,
 };
 
 /// The input expected, as given in a refusal.
-const KNOWN: &str = "a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
-     lists of numbers beside one of wavelengths";
+const KNOWN: &str = later!("a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
+     lists of numbers beside one of wavelengths");
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -52,7 +52,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let is_known =
         has_known_keys(text) && programs::read(input, &any_json(input, text)?, &mut reading)?;
     let found = if is_known {
-        "JSON with no spectrum in it".to_owned()
+        said!("JSON with no spectrum in it").to_owned()
     } else {
         let tree = json_tree::of(input, text)?;
         plain::read(input, &tree, &mut reading)?;
@@ -67,10 +67,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 /// A description of JSON of no known program.
 fn in_words(tree: &Tree) -> String {
     let Some(root) = tree.object() else {
-        return "a JSON list with no wavelengths in it".to_owned();
+        return said!("a JSON list with no wavelengths in it").to_owned();
     };
     let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
-    format!("JSON with the keys {}", quoted(&keys.join(", ")))
+    tr!("JSON with the keys {join}", join = quoted(&keys.join(", ")))
 }
 
 /// The text with `null` for the numbers that JSON cannot write and many programs do: `NaN`,
@@ -93,7 +93,7 @@ fn without_nan(text: &str) -> Cow<'_, str> {
             while let Some(at) = rest.find(['N', 'I', '-']) {
                 let (before, from) = rest.split_at(at);
                 out.push_str(before);
-                let words = ["NaN", "-Infinity", "Infinity"];
+                let words = ["NaN", "-Infinity", said!("Infinity")];
                 let word = words.into_iter().find(|word| from.starts_with(word));
                 out.push_str(if word.is_some() { "null" } else { &from[..1] });
                 rest = &from[word.map_or(1, str::len)..];

@@ -61,7 +61,7 @@ fn add(
     values: Vec<f64>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let unstated = || Decision::guessed(Kind::Light, false, "nothing states it");
+    let unstated = || Decision::guessed(Kind::Light, false, said!("nothing states it"));
     let kind = stated.kind.map_or_else(unstated, Decision::of_format);
     let is_factor = kind.value.is_factor();
     let mut raw = RawSpectrum::known(stated.name, nm, values, kind, stated.unit);
@@ -80,11 +80,11 @@ fn add(
 /// Adds a spectrum of colorimetry-io.
 fn read_colorimetry(input: &Input, value: &Value, reading: &mut Reading) -> Result<(), ReadError> {
     let no_axis = || {
-        let expected = "one with \"values_nm\" or \"range_nm\"";
-        input.error("no \"wavelength_axis\"", expected)
+        let expected = said!("one with \"values_nm\" or \"range_nm\"");
+        input.error(said!("no \"wavelength_axis\""), expected)
     };
     let axis = value.get("wavelength_axis").ok_or_else(no_axis)?;
-    let no_values = || input.error("no \"spectral_data\"", "one with \"values\"");
+    let no_values = || input.error(said!("no \"spectral_data\""), said!("one with \"values\""));
     let values = value.pointer("/spectral_data/values");
     let values = numbers(input, values.ok_or_else(no_values)?, "\"values\"")?;
     let nm = match axis.get("values_nm") {
@@ -113,16 +113,16 @@ fn check_counts(input: &Input, wavelengths: usize, values: usize) -> Result<(), 
     if wavelengths == values {
         return Ok(());
     }
-    let found = format!("{wavelengths} wavelengths and {values} values");
-    Err(input.error(found, "one value for each wavelength"))
+    let found = tr!("{wavelengths} wavelengths and {values} values", wavelengths, values);
+    Err(input.error(found, said!("one value for each wavelength")))
 }
 
 /// The wavelengths of a range for some values: no more are made than there are values.
 fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadError> {
-    let expected = "\"range_nm\" with numbers \"start\", \"end\" and \"interval\"";
+    let expected = said!("\"range_nm\" with numbers \"start\", \"end\" and \"interval\"");
     let number = |key: &str| {
-        let number = axis.pointer(&format!("/range_nm/{key}"));
-        let missing = || input.error(format!("no \"{key}\" in \"range_nm\""), expected);
+        let number = axis.pointer(&tr!("/range_nm/{key}", key));
+        let missing = || input.error(tr!("no \"{key}\" in \"range_nm\"", key), expected);
         number.and_then(Value::as_f64).ok_or_else(missing)
     };
     let (start, end, interval) = (number("start")?, number("end")?, number("interval")?);
@@ -130,8 +130,8 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     // The negated test also refuses a step of zero, which makes the count infinite or no number.
     if !(1.0..MOST_SAMPLES as f64).contains(&steps) {
         let [start, end, interval] = [start, end, interval].map(shortest);
-        let found = format!("a range of {start} to {end} nm in steps of {interval}");
-        return Err(input.error(found, "at least one step and at most 10,000,000"));
+        let found = tr!("a range of {start} to {end} nm in steps of {interval}", start, end, interval);
+        return Err(input.error(found, said!("at least one step and at most 10,000,000")));
     }
     check_counts(input, steps as usize + 1, values)?;
     let at = |i: usize| start + i as f64 * interval;
@@ -146,7 +146,7 @@ fn keyed<T>(
 ) -> Result<(Vec<f64>, Vec<T>), ReadError> {
     let nm = |key: &String| {
         let nm = number::number(key.trim(), false).filter(|v| v.is_finite());
-        nm.ok_or_else(|| input.error(quoted(key), "a wavelength in nm as key"))
+        nm.ok_or_else(|| input.error(quoted(key), said!("a wavelength in nm as key")))
     };
     let nm = table.keys().map(nm).collect::<Result<Vec<_>, _>>()?;
     let cells = table.values().map(cells).collect::<Result<Vec<_>, _>>()?;
@@ -167,8 +167,8 @@ fn read_rawtoaces(
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     // Each is gone through with every wavelength, also where most rows are empty.
     if width > MOST_CHANNELS {
-        let expected = format!("at most {MOST_CHANNELS} channels");
-        return Err(input.error(format!("{width} channels"), expected));
+        let expected = tr!("at most {MOST_CHANNELS} channels", MOST_CHANNELS);
+        return Err(input.error(tr!("{width} channels", width), expected));
     }
     let names = value.pointer("/spectral_data/index/main");
     let names = names.and_then(Value::as_array).into_iter().flatten();

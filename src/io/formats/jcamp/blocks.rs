@@ -72,8 +72,8 @@ pub(crate) fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, Rea
         };
         records += 1;
         if records > most_records || blocks.len() > MOST_BLOCKS {
-            let found = "too many records or blocks";
-            return Err(input.error_at(line, found, "at most 10000 blocks"));
+            let found = said!("too many records or blocks");
+            return Err(input.error_at(line, found, said!("at most 10000 blocks")));
         }
         if label == "TITLE" || blocks.is_empty() && !label.is_empty() {
             blocks.push(Block {
@@ -127,17 +127,17 @@ impl<'a> Block<'a> {
         input: &'b Input<'i>,
         most_points: usize,
     ) -> Result<Curve<'b, 'i>, ReadError> {
-        const EXPECTED: &str = "##XYDATA= or ##XYPOINTS=";
-        let peaks = "a curve in ##XYDATA= or ##XYPOINTS=";
+        const EXPECTED: &str = later!("##XYDATA= or ##XYPOINTS=");
+        let peaks = said!("a curve in ##XYDATA= or ##XYPOINTS=");
         for (label, found, expected) in [
-            ("NTUPLES", "NTUPLES (several variables)", EXPECTED),
-            ("PEAKTABLE", "a table of peaks", peaks),
+            ("NTUPLES", said!("NTUPLES (several variables)"), EXPECTED),
+            ("PEAKTABLE", said!("a table of peaks"), peaks),
         ] {
             if let Some((line, _)) = self.records.get(label) {
                 return Err(input.error_at(*line, found, expected));
             }
         }
-        let nothing = || input.error_at(self.line, "a block without data", EXPECTED);
+        let nothing = || input.error_at(self.line, said!("a block without data"), EXPECTED);
         let data = self.data.as_ref().ok_or_else(nothing)?;
         Ok(Curve {
             input,
@@ -185,7 +185,7 @@ impl Curve<'_, '_> {
             .or_else(|| number::number(text, false))
             .filter(|x| x.is_finite());
         let line = self.block.line_of(label);
-        let expected = || format!("a number as ##{label}=");
+        let expected = || tr!("a number as ##{label}=", label);
         let refusal = || self.input.error_at(line, quoted(text), expected());
         number.map(Some).ok_or_else(refusal)
     }
@@ -207,7 +207,7 @@ impl Curve<'_, '_> {
         if let (Some(stated), Some(found)) = (self.number(label)?, found)
             && (stated - found).abs() > share * stated.abs().max(found.abs()) + rest
         {
-            notes.push(format!("{label} says {stated}, found {found}"));
+            notes.push(tr!("{label} says {stated}, found {found}", label, stated, found));
         }
         Ok(())
     }
@@ -217,7 +217,7 @@ impl Curve<'_, '_> {
         if points < self.most_points {
             return Ok(());
         }
-        let found = "far more points than the file has text";
+        let found = said!("far more points than the file has text");
         Err(self.input.error_at(line, found, budget::TEXT_WORDS))
     }
 }

@@ -76,16 +76,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     if reading.spectra.is_empty() {
-        let expected = "a block with ##XYDATA= or ##XYPOINTS=";
-        let nothing = || input.error("a JCAMP-DX file without data", expected);
+        let expected = said!("a block with ##XYDATA= or ##XYPOINTS=");
+        let nothing = || input.error(said!("a JCAMP-DX file without data"), expected);
         return Err(refusals.into_iter().next().unwrap_or_else(nothing));
     }
     for why in refusals.iter().take(20) {
         let place = why
             .line
-            .map_or(String::new(), |line| format!(" at line {line}"));
+            .map_or(String::new(), |line| tr!(" at line {line}", line));
         let (found, expected) = (&why.found, &why.expected);
-        let note = format!("block{place} left out: found {found}, expected {expected}");
+        let note = tr!("block{place} left out: found {found}, expected {expected}", place, found, expected);
         reading.notes.push(note);
     }
     Ok(reading)
@@ -102,14 +102,14 @@ fn unit_of(
     data_type: &str,
 ) -> Result<Option<WavelengthUnit>, ReadError> {
     if data_type.to_lowercase().contains("raman") {
-        let found = "a Raman spectrum (shifts from its laser's line)";
-        return Err(input.error_at(block.line, found, "a spectrum over wavelengths"));
+        let found = said!("a Raman spectrum (shifts from its laser's line)");
+        return Err(input.error_at(block.line, found, said!("a spectrum over wavelengths")));
     }
     let unit = WavelengthUnit::of_title(x_units);
-    let open = ["", "arbitrary units", "unknown", "none"];
+    let open = ["", said!("arbitrary units"), "unknown", "none"];
     if unit.is_none() && !open.contains(&x_units.to_lowercase().as_str()) {
-        let found = format!("{} on the x axis", quoted(x_units));
-        let expected = "NANOMETERS, MICROMETERS or 1/CM";
+        let found = tr!("{quoted} on the x axis", quoted = quoted(x_units));
+        let expected = said!("NANOMETERS, MICROMETERS or 1/CM");
         return Err(input.error_at(block.line_of("XUNITS"), found, expected));
     }
     Ok(unit)
@@ -136,7 +136,7 @@ fn read_block(
     if let Some(announced) = curve.number("NPOINTS")?
         && announced != count as f64
     {
-        notes.push(format!("NPOINTS says {announced}, found {count} points"));
+        notes.push(tr!("NPOINTS says {announced}, found {count} points", announced, count));
     }
 
     let range = extent(&axis);
@@ -147,9 +147,7 @@ fn read_block(
         false => "",
     };
     if not_wave_numbers {
-        notes.push(format!(
-            "XUNITS says {x_units}, which would be beyond 9 um: taken as nm"
-        ));
+        notes.push(tr!("XUNITS says {x_units}, which would be beyond 9 um: taken as nm", x_units));
     }
     // A block of the spread of repeated measurements accompanies that of their mean.
     let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
@@ -179,17 +177,14 @@ fn read_block(
     interpret(raw.with_comma(curve.decimal_comma), input, reading)?;
     let spectrum = &mut reading.spectra[index];
     if counts && input.choices.kind_of(index).is_none() {
-        let because = format!(
-            "YUNITS says {}, but the values reach {highest}",
-            quoted(y_units)
-        );
-        notes.push(format!("taken as counts: {because}"));
+        let because = tr!("YUNITS says {quoted}, but the values reach {highest}", quoted = quoted(y_units), highest);
+        notes.push(tr!("taken as counts: {because}", because));
         if let Some(facts) = reading.facts.get_mut(index) {
             facts.decisions.kind = Decision::guessed(spectrum.kind, false, because);
             facts.remarks.retain(|remark| *remark != Remark::Kind);
         }
     } else if !y_units.is_empty() && spectrum.unit.is_empty() {
-        notes.push(format!("values in {}", y_units.to_lowercase()));
+        notes.push(tr!("values in {to_lowercase}", to_lowercase = y_units.to_lowercase()));
     }
     let about = [("ORIGIN", "origin"), ("DATE", "date"), ("LONGDATE", "date")];
     let about = about.map(|(label, what)| Some(format!("{what}: {}", block.text(label)?)));

@@ -125,10 +125,7 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
         ..
     } = unpacked;
     if let Some((line, count)) = wrong {
-        notes.push(format!(
-            "{count} of {} checks at line starts are wrong, the first at line {line}",
-            starts.len()
-        ));
+        notes.push(tr!("{count} of {starts} checks at line starts are wrong, the first at line {line}", count, starts = starts.len(), line));
     }
     starts.iter_mut().for_each(|start| start.x *= x_factor);
     values.iter_mut().for_each(|value| *value *= y_factor);
@@ -151,7 +148,7 @@ impl Unpacked<'_, '_, '_> {
         let input = self.curve.input;
         let odd = |at: usize| {
             let found = quoted(row.get(at..).unwrap_or(row));
-            input.error_at(line, found, "an abscissa and ordinates, plain or packed")
+            input.error_at(line, found, said!("an abscissa and ordinates, plain or packed"))
         };
         let mut at = 0;
         let mut has_abscissa = false;
@@ -242,7 +239,7 @@ impl Grid {
     fn axis(mut self, starts: &[Start], count: usize, notes: &mut Vec<String>) -> Vec<f64> {
         if self.is_turned(starts, count) {
             let note =
-                "FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell";
+                said!("FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell");
             notes.push(note.to_owned());
             std::mem::swap(&mut self.first, &mut self.last);
             self.delta = self.delta.map(|delta| -delta);
@@ -267,9 +264,7 @@ impl Grid {
         };
         if let Some(Start { line, x, index }) = starts.iter().find(is_off) {
             let even = at(*index);
-            notes.push(format!(
-                "the abscissa {x} at line {line} is not the {even} of even steps"
-            ));
+            notes.push(tr!("the abscissa {x} at line {line} is not the {even} of even steps", x, line, even));
         }
         if is_complete {
             // The last abscissa is stated: rounding of the step does not move it.
@@ -279,7 +274,7 @@ impl Grid {
             if let (Some(stated), Some(delta)) = (self.delta, by_ends)
                 && (stated - delta).abs() > 0.01 * delta.abs()
             {
-                notes.push(format!("DELTAX says {stated}, the ends say {delta}"));
+                notes.push(tr!("DELTAX says {stated}, the ends say {delta}", stated, delta));
             }
         }
         axis

@@ -27,7 +27,7 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
             .split(is_gap)
             .flat_map(|cell| parted_by_comma(cell, decimal_comma));
         for cell in cells.filter(|cell| !cell.is_empty()) {
-            let word = || curve.input.error_at(line, quoted(cell), "pairs of numbers");
+            let word = || curve.input.error_at(line, quoted(cell), said!("pairs of numbers"));
             let value = match cell {
                 "?" => f64::NAN,
                 _ => number::number(cell, decimal_comma).ok_or_else(word)?,
@@ -43,7 +43,7 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
         }
     }
     if abscissa.is_some() {
-        notes.push("the last abscissa has no ordinate: dropped".to_owned());
+        notes.push(said!("the last abscissa has no ordinate: dropped").to_owned());
     }
     curve.compare("FIRSTX", axis.first(), (1e-6, 0.0), notes)?;
     curve.compare("LASTX", axis.last(), (1e-6, 0.0), notes)?;

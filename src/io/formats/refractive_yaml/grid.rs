@@ -22,7 +22,7 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
     let (from, to) = (tidied(from), tidied(to));
     let (first, last) = (from.max(FIRST_NM), to.min(LAST_NM));
     let mut nm = Vec::new();
-    let mut how = "at whole nm".to_owned();
+    let mut how = said!("at whole nm").to_owned();
     for (low, high, step) in PARTS {
         let (start, end) = (first.max(low), last.min(high));
         if start >= end {
@@ -34,21 +34,21 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
         // But the one that the part before ended with.
         nm.extend(part.filter(|x| *x > low || low <= first));
         if step < 1.0 {
-            how += &format!(", in steps of {step} nm below {high} nm");
+            how += &tr!(", in steps of {step} nm below {high} nm", step, high);
         } else if step > 1.0 {
-            how += &format!(", in steps of {step} nm beyond {low} nm");
+            how += &tr!(", in steps of {step} nm beyond {low} nm", step, low);
         }
     }
     // A narrow range may hold one multiple of the step or none.
     if nm.len() < 2 && first < last {
         nm = vec![first, last];
-        "at the ends of its range".clone_into(&mut how);
+        said!("at the ends of its range").clone_into(&mut how);
     }
     if from < FIRST_NM {
-        how += &format!("; not sampled below {FIRST_NM} nm");
+        how += &tr!("; not sampled below {FIRST_NM} nm", FIRST_NM);
     }
     if to > LAST_NM {
-        how += &format!("; not sampled beyond {LAST_NM} nm");
+        how += &tr!("; not sampled beyond {LAST_NM} nm", LAST_NM);
     }
     (nm, how)
 }

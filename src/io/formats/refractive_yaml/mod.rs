@@ -24,7 +24,7 @@ use crate::io::{Input, ReadError, Reading, budget};
 
 /// refractiveindex.info.
 pub(crate) const FORMAT: Format = Format {
-    name: "refractiveindex.info YAML",
+    name: later!("refractiveindex.info YAML"),
     extensions: &["yml", "yaml"],
     sniff,
     read,
@@ -77,10 +77,10 @@ fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
         let second = second.and_then(|text| parse_strictly(&text).ok());
         second.ok_or_else(|| match first {
             Some(why) => input.error(
-                format!("broken YAML ({why})"),
-                "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
+                tr!("broken YAML ({why})", why),
+                said!("REFERENCES, COMMENTS and DATA as refractiveindex.info writes them"),
             ),
-            None => input.error("broken YAML", "YAML of refractiveindex.info"),
+            None => input.error(said!("broken YAML"), said!("YAML of refractiveindex.info")),
         })
     })
 }
@@ -104,13 +104,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let file = parse(input, text)?;
     if file.data.len() > MOST_DATA {
-        let found = format!("{} tables and formulas", file.data.len());
-        return Err(input.error(found, format!("at most {MOST_DATA}")));
+        let found = tr!("{data} tables and formulas", data = file.data.len());
+        return Err(input.error(found, tr!("at most {MOST_DATA}", MOST_DATA)));
     }
     let source = plain(&file.references);
     let mut about = Vec::new();
     if !file.comments.trim().is_empty() {
-        about.push(format!("comment in the file: {}", plain(&file.comments)));
+        about.push(tr!("comment in the file: {plain}", plain = plain(&file.comments)));
     }
     let mut reading = Reading::default();
     let mut push = |(name, kind): (String, Kind), samples: &Sampled, notes| {
@@ -126,7 +126,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
     // A formula beside a table of n comes last.
-    let tabulates_n = |data: &Data| matches!(data.r#type.trim(), "tabulated n" | "tabulated nk");
+    let tabulates_n = |data: &Data| matches!(data.r#type.trim(), "tabulated n" | said!("tabulated nk"));
     let has_table_of_n = file.data.iter().any(tabulates_n);
     let is_beside = |data: &Data| has_table_of_n && data.r#type.trim().starts_with("formula");
     let mut all: Vec<(bool, &Data)> = file.data.iter().map(|d| (is_beside(d), d)).collect();
@@ -137,8 +137,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             let kept = if letter == 'n' { &mut n } else { &mut k };
             let mut name = format!("{} {letter}", input.stem());
             if is_beside {
-                name += &format!(" by {}", data.r#type.trim());
-                let note = "the file holds n as a table too, from which the rest is computed";
+                name += &tr!(" by {trim}", trim = data.r#type.trim());
+                let note = said!("the file holds n as a table too, from which the rest is computed");
                 notes.push(note.to_owned());
             } else {
                 kept.get_or_insert_with(|| samples.clone());
@@ -149,12 +149,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if let Some((samples, how)) = n.and_then(|n| reflectance(&n, k.as_ref())) {
         let mut notes = vec![how.to_owned()];
         notes.extend(about);
-        let name = format!("{} reflectance", input.stem());
+        let name = tr!("{stem} reflectance", stem = input.stem());
         push((name, Kind::Reflectance), &samples, notes)?;
     }
     if reading.spectra.is_empty() {
-        let expected = "tabulated nk, tabulated n, tabulated k or a formula";
-        return Err(input.error("no data", expected));
+        let expected = said!("tabulated nk, tabulated n, tabulated k or a formula");
+        return Err(input.error(said!("no data"), expected));
     }
     Ok(reading)
 }
@@ -168,22 +168,22 @@ fn read_data(
     let kind = data.r#type.trim();
     let formula = kind.strip_prefix("formula ");
     let letters = match (kind, formula.and_then(|number| number.trim().parse().ok())) {
-        ("tabulated nk", _) => "nk",
-        ("tabulated n", _) => "n",
-        ("tabulated k", _) => "k",
+        (said!("tabulated nk"), _) => "nk",
+        (said!("tabulated n"), _) => "n",
+        (said!("tabulated k"), _) => "k",
         (_, Some(number @ 1..=9)) => {
             let (samples, notes) = read_formula(input, data, number)?;
             return Ok(vec![('n', samples, notes)]);
         }
         _ => {
-            let expected = "tabulated nk, tabulated n, tabulated k or formula 1 to 9";
-            return Err(input.error(format!("data of the type {}", quoted(kind)), expected));
+            let expected = said!("tabulated nk, tabulated n, tabulated k or formula 1 to 9");
+            return Err(input.error(tr!("data of the type {quoted}", quoted = quoted(kind)), expected));
         }
     };
     let mut columns = columns(input, text, &data.data, letters.len() + 1)?;
     let nm: Vec<f64> = columns.remove(0).iter().map(|um| um * 1000.0).collect();
     let of_letter = |(letter, values): (char, Vec<f64>)| {
-        let (samples, notes) = clean(input, &nm, &values, "wavelengths converted from um".into())?;
+        let (samples, notes) = clean(input, &nm, &values, said!("wavelengths converted from um").into())?;
         Ok((letter, samples, notes))
     };
     letters.chars().zip(columns).map(of_letter).collect()
@@ -205,7 +205,7 @@ fn columns(
         let cells = row.split_whitespace().take(width + 1);
         let numbers: Option<Vec<f64>> = cells.map(|cell| number::number(cell, false)).collect();
         let Some(numbers) = numbers.filter(|numbers| numbers.len() == width) else {
-            let error = input.error(quoted(row), format!("{width} numbers"));
+            let error = input.error(quoted(row), tr!("{width} numbers", width));
             return Err(match lines(text).find(|(_, line)| line.trim() == row) {
                 Some((line, _)) => error.at_line(line),
                 None => error,
@@ -225,14 +225,14 @@ fn read_formula(
         let number = |word: &str| {
             number::number(word, false)
                 .filter(|x| x.is_finite())
-                .ok_or_else(|| input.error(quoted(word), format!("numbers as {what}")))
+                .ok_or_else(|| input.error(quoted(word), tr!("numbers as {what}", what)))
         };
         text.split_whitespace().map(number).collect()
     };
     let coefficients = numbers(&data.coefficients, "coefficients")?;
     if coefficients.len() > MOST_COEFFICIENTS {
-        let found = format!("{} coefficients", coefficients.len());
-        return Err(input.error(found, format!("at most {MOST_COEFFICIENTS}")));
+        let found = tr!("{coefficients} coefficients", coefficients = coefficients.len());
+        return Err(input.error(found, tr!("at most {MOST_COEFFICIENTS}", MOST_COEFFICIENTS)));
     }
     let range = match data.wavelength_range.trim() {
         "" => &data.range,
@@ -240,19 +240,19 @@ fn read_formula(
     };
     let range = numbers(range, "wavelength_range")?;
     let [from_um, to_um] = range[..] else {
-        let found = format!("a wavelength range of {} numbers", range.len());
-        return Err(input.error(found, "first and last wavelength in um"));
+        let found = tr!("a wavelength range of {range} numbers", range = range.len());
+        return Err(input.error(found, said!("first and last wavelength in um")));
     };
     let range_nm = [from_um * 1000.0, to_um * 1000.0];
     let (nm, how) = grid::of(range_nm[0], range_nm[1]);
     let formula = Formula::new(number, coefficients, range_nm).ok_or_else(|| {
         input.error(
-            format!("a wavelength range from {from_um} to {to_um}"),
-            "first and last wavelength in um, rising",
+            tr!("a wavelength range from {from_um} to {to_um}", from_um, to_um),
+            said!("first and last wavelength in um, rising"),
         )
     })?;
     let values: Vec<f64> = nm.iter().map(|nm| formula.index(nm / 1000.0)).collect();
-    let how = format!("n computed from dispersion formula {number} {how}");
+    let how = tr!("n computed from dispersion formula {number} {how}", number, how);
     let (samples, notes) = clean(input, &nm, &values, how)?;
     Ok((samples.of_formula(formula), notes))
 }
@@ -282,9 +282,9 @@ fn reflectance(n: &Sampled, k: Option<&Sampled>) -> Option<(Sampled, &'static st
     });
     let (nm, values) = points.filter(|(_, r)| r.is_finite()).unzip();
     let how = if k.is_some() {
-        "computed from n and k: ((n-1)^2+k^2)/((n+1)^2+k^2), normal incidence from air"
+        said!("computed from n and k: ((n-1)^2+k^2)/((n+1)^2+k^2), normal incidence from air")
     } else {
-        "computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence"
+        said!("computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence")
     };
     Some((Sampled::new(nm, values).ok()?, how))
 }

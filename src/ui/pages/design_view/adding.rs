@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::{change, strips};
+use super::{change, longer, strips};
 use crate::{
     app::{
         Gel,
@@ -24,12 +24,6 @@ use crate::{
 /// What lists say that only add.
 const ANY_LIGHT: &str = later!("Any light");
 const GEL: &str = later!("Gel");
-
-/// A width that was chosen for an English text, the wider the longer it is in the language spoken.
-fn fitting(width: f32, english: &'static str) -> f32 {
-    let letters = |words: &str| words.chars().count() as f32;
-    width * (letters(said(english)) / letters(english)).max(1.0)
-}
 
 /// What joins the desk.
 pub(super) fn add_row(
@@ -79,7 +73,7 @@ pub(super) fn add_row(
                 meaning: said!("Any light of the library, shipped or your own, as a channel."),
                 says: said(ANY_LIGHT),
                 offers: lights,
-                width: fitting(70.0, ANY_LIGHT) * context.theme.scale,
+                width: 70.0 * longer([ANY_LIGHT]) * context.theme.scale,
             }
             .show(ui, context.app);
             if let Some(light) = chosen {
@@ -105,7 +99,7 @@ fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         ),
         says: said(GEL),
         offers: transmittances,
-        width: fitting(40.0, GEL) * context.theme.scale,
+        width: 40.0 * longer([GEL]) * context.theme.scale,
     }
     .show(ui, context.app);
     if let Some(gel) = gel {

@@ -1,8 +1,9 @@
 //! What the page "From a colour" is asked: a colour, told in one of several ways, and its light;
 //! where there is a second light, the colour under that.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, TextEdit, Ui};
+use egui::{TextEdit, Ui};
 
 use crate::{
     app::{
@@ -150,7 +151,7 @@ fn told(
             for (value, told) in after.iter_mut().zip(numbers) {
                 ui.label(told.title);
                 let [least, most] = told.range;
-                let field = DragValue::new(value)
+                let field = drag_value(value)
                     .range(least..=most)
                     .speed(3.0 * 0.1_f64.powi(told.digits as i32))
                     .fixed_decimals(told.digits);

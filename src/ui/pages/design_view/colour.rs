@@ -1,9 +1,10 @@
 //! The page "From a colour": a colour, the spectra that have it, and how they differ.
 
+use crate::ui::kit::drag_value;
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{DragValue, RichText, Ui, vec2};
+use egui::{RichText, Ui, vec2};
 
 use super::{DesignView, asked::asked, large_swatch};
 use crate::{
@@ -198,7 +199,7 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.label(said!("Lines at"));
         let places = &mut context.pages.from_colour.lines;
         for (i, nm) in places.iter_mut().enumerate() {
-            let place = DragValue::new(nm)
+            let place = drag_value(nm)
                 .range(380.0..=780.0)
                 .speed(0.2)
                 .max_decimals(1);

@@ -9,10 +9,11 @@ mod solve;
 mod strips;
 mod worth;
 
+use crate::ui::kit::{drag_value, slide};
 use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
-use egui::{DragValue, Slider, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::PageContext;
 use crate::{
@@ -28,6 +29,7 @@ use crate::{
             wish::Answered,
         },
     },
+    languages::said,
     ui::{
         chart_view::{ChartResponse, ChartView},
         kit::{drawing, named},
@@ -118,6 +120,12 @@ impl DesignView {
     }
 }
 
+/// By how much some English words are longer in the language spoken: 1 or more.
+fn longer<const N: usize>(english: [&'static str; N]) -> f32 {
+    let letters = |words: [&str; N]| words.iter().map(|word| word.chars().count()).sum::<usize>();
+    (letters(english.map(said)) as f32 / letters(english) as f32).max(1.0)
+}
+
 /// Two colours side by side in one large field, with words below each.
 fn large_swatch(
     ui: &mut Ui,
@@ -168,14 +176,14 @@ impl Fader<'_> {
     fn show(self, ui: &mut Ui, value: &mut f64, rest: f32, scale: f32) {
         let number = 64.0 * scale;
         ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(10.0);
-        let slider = Slider::new(value, self.range.clone())
+        let slider = slide(value, self.range.clone())
             .logarithmic(self.logarithmic)
             .show_value(false);
         let slider = ui.add(slider);
         named(&slider, egui::Role::Slider, self.name);
         slider.on_hover_text(self.meaning);
         let speed = (self.range.end() - self.range.start()) / 500.0;
-        let drag = DragValue::new(value)
+        let drag = drag_value(value)
             .range(self.range)
             .speed(speed)
             .fixed_decimals(self.digits)

@@ -1,7 +1,8 @@
 //! The page "Solve": the faders for a colour that is wished for, and the front of free lines.
 
+use crate::ui::kit::{drag_value, slide};
 use eframe::egui;
-use egui::{DragValue, Slider, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{DesignView, large_swatch, set};
 use crate::{
@@ -224,7 +225,7 @@ fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     if let Some(xy) = &mut wish.xy {
         for (value, title) in xy.iter_mut().zip(["x", "y"]) {
             form.row((title, ""), |ui, _| {
-                let field = DragValue::new(value)
+                let field = drag_value(value)
                     .range(0.0..=1.0)
                     .speed(0.0005)
                     .fixed_decimals(4);
@@ -234,13 +235,13 @@ fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
         }
         return;
     }
-    let of = Slider::new(&mut wish.kelvin, MixWish::KELVIN.reach.range())
+    let of = slide(&mut wish.kelvin, MixWish::KELVIN.reach.range())
         .logarithmic(true)
         .fixed_decimals(0)
         .suffix(" K");
     let meaning = said!("Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.");
     form.slider((said!("Temperature"), meaning), of);
-    let of = Slider::new(&mut wish.duv, MixWish::DUV.reach.range()).fixed_decimals(4);
+    let of = slide(&mut wish.duv, MixWish::DUV.reach.range()).fixed_decimals(4);
     let meaning = said!("Distance from the blackbodies (Duv): above 0 greenish, below 0 pinkish.");
     form.slider((said!("Tint"), meaning), of);
 }
@@ -309,7 +310,7 @@ fn floors(form: &mut Form<'_>, context: &mut PageContext<'_>) {
                 *value = on.then_some(usual);
             }
             if let Some(value) = value {
-                let field = DragValue::new(value)
+                let field = drag_value(value)
                     .range(0.0..=most)
                     .speed(most / 200.0)
                     .fixed_decimals(digits);

@@ -1,9 +1,8 @@
 //! The channels of the desk: what each is, its fader and its switches.
 
+use crate::ui::kit::{drag_value, slide};
 use eframe::egui;
-use egui::{
-    Button, Color32, DragValue, RichText, ScrollArea, Slider, Ui, Vec2, style::HandleShape, vec2,
-};
+use egui::{Button, Color32, RichText, ScrollArea, Ui, Vec2, style::HandleShape, vec2};
 
 use super::{Fader, change};
 use crate::{
@@ -194,7 +193,7 @@ fn upright(
             visuals.selection.bg_fill = colour;
             visuals.widgets.inactive.bg_fill = theme.track;
             let handle = HandleShape::Rect { aspect_ratio: 0.5 };
-            let slider = Slider::new(level, 0.0..=FULL)
+            let slider = slide(level, 0.0..=FULL)
                 .vertical()
                 .trailing_fill(true)
                 .handle_shape(handle)
@@ -203,7 +202,7 @@ fn upright(
             named(&slider, egui::Role::Slider, name);
             slider.on_hover_text(meaning);
         });
-        let drag = DragValue::new(level)
+        let drag = drag_value(level)
             .range(0.0..=FULL)
             .speed(0.2)
             .max_decimals(1)
@@ -345,7 +344,7 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
 fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine], place: usize) {
     // Lessons point at it by its English name.
     let value = |ui: &mut Ui, value: &mut f64, speed: f64, suffix: &str, name: &'static str| {
-        let box_of = DragValue::new(value)
+        let box_of = drag_value(value)
             .speed(speed)
             .max_decimals(2)
             .suffix(suffix);

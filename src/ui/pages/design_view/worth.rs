@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{RichText, Ui, vec2};
 
-use super::set;
+use super::{longer, set};
 use crate::{
     app::{
         Command, MadeFor,
@@ -79,8 +79,8 @@ pub(super) fn main_figures(
                     ui.response()
                 });
                 shown.on_hover_text(match its(figure.name) {
-                    Some((light, value)) => format!("{}\n{light}: {value}.", figure.meaning),
-                    None => figure.meaning.to_owned(),
+                    Some((light, value)) => format!("{}\n{light}: {value}.", said(figure.meaning)),
+                    None => said(figure.meaning).to_owned(),
                 });
             }
         });
@@ -104,12 +104,16 @@ fn of_second(ui: &mut Ui, theme: Theme, (light, value): (&str, &str)) {
     named(&label, egui::Role::Label, &format!("{light}: {value}"));
 }
 
-/// Width that the row of what is kept needs, points: a narrower one has two.
+const TO_LIBRARY: &str = later!("To the library");
+const SAVE_AS: &str = later!("Save as");
+
+/// Width that the row of what is kept needs in English, points: a narrower one has two.
 const KEPT: f32 = 348.0;
 
 /// Height of what is kept in a width, points.
 pub(super) fn kept_height(ui: &Ui, width: f32, scale: f32) -> f32 {
-    let rows = if width < KEPT * scale { 2.0 } else { 1.0 };
+    let needs = KEPT * scale * longer([TO_LIBRARY, SAVE_AS, later!("Copy as CSV")]);
+    let rows = if width < needs { 2.0 } else { 1.0 };
     let spacing = ui.spacing();
     rows * spacing.interact_size.y + (rows - 1.0) * spacing.item_spacing.y
 }
@@ -120,7 +124,7 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
         ui.spacing_mut().item_spacing.x = 6.0;
         let recipe = desk.recipe();
         let button = ui
-            .add_enabled(recipe.is_some(), egui::Button::new(said!("To the library")))
+            .add_enabled(recipe.is_some(), egui::Button::new(said(TO_LIBRARY)))
             .on_hover_text(said!(
                 "Keeps the mixture as a light of your own and shows it everywhere. It follows the \
                  lights that it is made of."
@@ -129,7 +133,7 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
             let place = MadeFor::Shown;
             context.commands.push(Command::Make { recipe, place });
         }
-        ui.weak(said!("Save as"));
+        ui.weak(said(SAVE_AS));
         kept(ui, context, desk);
         copy_button(
             ui,

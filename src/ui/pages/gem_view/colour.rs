@@ -1,6 +1,6 @@
 //! What colours the gem.
 
-use eframe::egui::Slider;
+use crate::ui::kit::slide;
 
 use super::names;
 use crate::{
@@ -31,7 +31,7 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     match memory.colour {
         GemColour::Clear => {}
         GemColour::Grey => {
-            let of = Slider::new(&mut memory.grey, GemMemory::GREY.reach.range()).fixed_decimals(2);
+            let of = slide(&mut memory.grey, GemMemory::GREY.reach.range()).fixed_decimals(2);
             let meaning =
                 said!("Absorption for each radius of the girdle: 1 leaves 37 % of the light.");
             form.slider((said(names::ABSORBS), meaning), of);
@@ -53,7 +53,7 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
             if let Some(entry) = chosen {
                 memory.filter.clone_from(&entry.key);
             }
-            let of = Slider::new(&mut memory.thickness, GemMemory::THICKNESS.reach.range())
+            let of = slide(&mut memory.thickness, GemMemory::THICKNESS.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(1)
                 .suffix(format!(" {}", said!("radii")));

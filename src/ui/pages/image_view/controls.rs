@@ -1,5 +1,6 @@
 //! Which image, how it is drawn, and what becomes of the chosen pixels.
 
+use crate::ui::kit::slide;
 use eframe::egui;
 use egui::Ui;
 
@@ -162,7 +163,7 @@ fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
     );
     ui.spacing_mut().slider_width = 64.0 * context.theme.scale;
     let label = ui.label(said(names::EXPOSURE)).on_hover_text(meaning);
-    let slider = egui::Slider::new(
+    let slider = slide(
         &mut context.pages.image.stops,
         ImageMemory::EXPOSURE.reach.range(),
     )
@@ -178,7 +179,7 @@ fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: 
     let mut band = entry.image.cube.nearest_band(*at);
     let last = nm.len() - 1;
     let of_band = |band: f64| nm[(band.max(0.0) as usize).min(last)];
-    let slider = egui::Slider::new(&mut band, 0..=last)
+    let slider = slide(&mut band, 0..=last)
         .custom_formatter(move |band, _| format!("{} nm", short(of_band(band))))
         .custom_parser(|text| {
             let nm = text.trim().trim_end_matches("nm").trim().parse().ok()?;

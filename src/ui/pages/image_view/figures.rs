@@ -164,7 +164,7 @@ pub(super) fn model(
         swatch::split(ui, size, &exact, &model, &name).on_hover_text(format!(
             "{} {}.",
             said!("Left the chosen spectrum as measured, right by its model."),
-            capitalised(exact.mapping.words())
+            capitalised(crate::languages::said(exact.mapping.words()))
         ));
         let words = tr!(
             "Measured {measured}, model {model}: {scale}.",

@@ -1,12 +1,13 @@
 //! Nothing is followed yet: what may be.
 
+use crate::ui::kit::drag_value;
 use std::{
     net::{Ipv4Addr, SocketAddr},
     path::PathBuf,
 };
 
 use eframe::egui;
-use egui::{DragValue, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::{ToFollow, names};
 use crate::{
@@ -188,7 +189,7 @@ impl Begin {
              before, and nobody else on the network reaches it."
         );
         form.row((said!("TCP port"), meaning), |ui, _| {
-            let field = DragValue::new(&mut self.port).range(1024..=u16::MAX);
+            let field = drag_value(&mut self.port).range(1024..=u16::MAX);
             number(ui, field, said(names::PORT)).on_hover_text(meaning);
             if pressed(ui, said(names::LISTEN), meaning) {
                 let address = SocketAddr::from((Ipv4Addr::LOCALHOST, self.port));
@@ -225,7 +226,7 @@ impl Begin {
                     self.ports = None;
                 }
             });
-            let field = DragValue::new(&mut self.baud)
+            let field = drag_value(&mut self.baud)
                 .range(1..=10_000_000)
                 .suffix(" bit/s");
             number(ui, field, said(names::BAUD)).on_hover_text(said!("As the board sends."));

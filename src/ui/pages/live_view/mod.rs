@@ -279,14 +279,14 @@ fn figures_menu(ui: &mut Ui, context: &mut PageContext<'_>) {
         for figure in OFFERED.iter().filter_map(|key| Wanted::named(key).ok()) {
             let figure = figure.figure();
             let mut is_shown = shown.iter().any(|key| key == figure.key);
-            let title = if figure.title.is_empty() {
+            let title = if figure.title().is_empty() {
                 figure.key
             } else {
-                figure.title
+                figure.title()
             };
             let item = ui
                 .checkbox(&mut is_shown, title)
-                .on_hover_text(figure.meaning);
+                .on_hover_text(figure.meaning());
             if item.changed() {
                 match is_shown {
                     true => shown.push(figure.key.to_owned()),
@@ -330,7 +330,7 @@ fn spectrum(
                         .value
                         .as_ref()
                         .err()
-                        .map_or(told.figure.meaning, |why| why);
+                        .map_or(told.figure.meaning(), |why| why);
                     number.on_hover_text(why);
                     ui.add_space(4.0);
                 }

@@ -1,7 +1,8 @@
 //! What a person sets by hand: the strip, and columns whose wavelengths are known.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, Ui};
+use egui::Ui;
 
 use super::{PhotographView, names};
 use crate::{
@@ -50,7 +51,7 @@ impl PhotographView {
                 return;
             };
             ui.label(tr!("Column {column} is", column = fixed(column, 1)));
-            let field = DragValue::new(&mut self.by_hand.nm)
+            let field = drag_value(&mut self.by_hand.nm)
                 .range(100.0..=5000.0)
                 .speed(0.1)
                 .max_decimals(2)
@@ -93,49 +94,12 @@ impl PhotographView {
         ui.weak(said!(
             "Drag over the picture to draw the band, its edges to move them, its end to turn it."
         ));
-        ui.horizontal_wrapped(|ui| {
-            let words = |way: Option<bool>| match way {
-                None => (said!("either way"), said!("As the colours run.")),
-                Some(false) => (
-                    said!("horizontal"),
-                    said!("Colours run from left to right."),
-                ),
-                Some(true) => (said!("vertical"), said!("Colours run from top to bottom.")),
-            };
-            let choice = Choice {
-                name: said!("Way of the strip"),
-                meaning: said!("The way that the colours run."),
-                width: 90.0,
-            };
-            choice.pick(
-                ui,
-                &mut strip.is_vertical,
-                [None, Some(false), Some(true)],
-                words,
-            );
-            let words = |falls: Option<bool>| match falls {
-                None => (said!("blue either side"), said!("As the lines have it.")),
-                Some(false) => (
-                    said!("blue first"),
-                    said!("Wavelengths rise to the right, or downwards."),
-                ),
-                Some(true) => (
-                    said!("red first"),
-                    said!("Wavelengths fall to the right, or downwards."),
-                ),
-            };
-            let choice = Choice {
-                name: said!("Side of the blue"),
-                meaning: said!("The side that blue lies on."),
-                width: 110.0,
-            };
-            choice.pick(ui, &mut falls, [None, Some(false), Some(true)], words);
-        });
+        ui.horizontal_wrapped(|ui| ways(ui, &mut strip.is_vertical, &mut falls));
         let shown = found.map(|found| found.found.strip);
         ui.horizontal_wrapped(|ui| {
             let mut field = |set: &mut Option<f64>, found: Option<f64>, form: Field| {
                 let mut value = set.or(found).unwrap_or(0.0);
-                let drag = DragValue::new(&mut value)
+                let drag = drag_value(&mut value)
                     .range(-form.most..=form.most)
                     .speed(form.speed)
                     .fixed_decimals(form.decimals)
@@ -177,6 +141,41 @@ impl PhotographView {
         };
         self.say(said);
     }
+}
+
+/// The way that the colours run, and the side that blue lies on.
+fn ways(ui: &mut Ui, is_vertical: &mut Option<bool>, falls: &mut Option<bool>) {
+    let words = |way: Option<bool>| match way {
+        None => (said!("either way"), said!("As the colours run.")),
+        Some(false) => (
+            said!("horizontal"),
+            said!("Colours run from left to right."),
+        ),
+        Some(true) => (said!("vertical"), said!("Colours run from top to bottom.")),
+    };
+    let choice = Choice {
+        name: said!("Way of the strip"),
+        meaning: said!("The way that the colours run."),
+        width: 90.0,
+    };
+    choice.pick(ui, is_vertical, [None, Some(false), Some(true)], words);
+    let words = |falls: Option<bool>| match falls {
+        None => (said!("blue either side"), said!("As the lines have it.")),
+        Some(false) => (
+            said!("blue first"),
+            said!("Wavelengths rise to the right, or downwards."),
+        ),
+        Some(true) => (
+            said!("red first"),
+            said!("Wavelengths fall to the right, or downwards."),
+        ),
+    };
+    let choice = Choice {
+        name: said!("Side of the blue"),
+        meaning: said!("The side that blue lies on."),
+        width: 110.0,
+    };
+    choice.pick(ui, falls, [None, Some(false), Some(true)], words);
 }
 
 /// A field of a number.

@@ -1,7 +1,8 @@
 //! The sentence with its evidence, and what a person may say to it.
 
+use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, Ui};
+use egui::Ui;
 
 use super::{PageContext, PageWish, PhotographView, ResponseAsk, names};
 use crate::{
@@ -96,7 +97,10 @@ impl PhotographView {
         if let Some((best, other)) =
             both.filter(|(best, other)| best.lamp != other.lamp && other.score > 0.0)
         {
-            let (name, scores) = (other.lamp.name(), (other.score, best.score));
+            let (name, scores) = (
+                languages::said(other.lamp.name()),
+                (other.score, best.score),
+            );
             let words = tr!(
                 "{lamp}, {score} against {best}",
                 lamp = name,
@@ -110,7 +114,7 @@ impl PhotographView {
         let chosen = match said.lamp {
             LampChoice::Auto => said!("any lamp"),
             LampChoice::Nothing => said!("no lamp"),
-            LampChoice::Is(lamp) => lamp.name(),
+            LampChoice::Is(lamp) => languages::said(lamp.name()),
         };
         let choice = Choice {
             name: languages::said(names::LAMP),
@@ -120,7 +124,8 @@ impl PhotographView {
         choice.show(ui, chosen, |ui| {
             ui.selectable_value(&mut said.lamp, LampChoice::Auto, said!("any lamp"));
             for lamp in Lamp::ALL {
-                ui.selectable_value(&mut said.lamp, LampChoice::Is(lamp), lamp.name());
+                let name = languages::said(lamp.name());
+                ui.selectable_value(&mut said.lamp, LampChoice::Is(lamp), name);
             }
             ui.selectable_value(&mut said.lamp, LampChoice::Nothing, said!("no lamp"));
         });
@@ -217,14 +222,14 @@ impl PhotographView {
             });
             let known = match light.of {
                 KnownAs::Bulb => {
-                    let field = DragValue::new(&mut light.bulb_k)
+                    let field = drag_value(&mut light.bulb_k)
                         .range(1000.0..=20_000.0)
                         .suffix(" K");
                     number(ui, field, said!("Temperature of the bulb"));
                     Known::Blackbody(light.bulb_k)
                 }
                 KnownAs::Daylight => {
-                    let field = DragValue::new(&mut light.sky_k)
+                    let field = drag_value(&mut light.sky_k)
                         .range(4000.0..=25_000.0)
                         .suffix(" K");
                     number(ui, field, said!("Temperature of the daylight"));

@@ -1,7 +1,8 @@
 //! What is set by hand on the pages Prism and Rainbow.
 
+use crate::ui::kit::slide;
 use eframe::egui;
-use egui::{Slider, Ui};
+use egui::Ui;
 
 use super::{exposure, model, names, substance};
 use crate::{
@@ -52,7 +53,7 @@ pub(super) fn drop(form: &mut Form<'_>, memory: &mut RainbowMemory) {
             }
         }
     });
-    let of = Slider::new(&mut memory.impact, RainbowMemory::IMPACT.reach.range())
+    let of = slide(&mut memory.impact, RainbowMemory::IMPACT.reach.range())
         .fixed_decimals(2)
         .suffix(format!(" {}", said!("radii")));
     let meaning = said!(
@@ -76,12 +77,12 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
             (said(names::GLASS), meaning),
             &mut memory.made_of,
         );
-        let of = Slider::new(&mut memory.apex_deg, PrismMemory::APEX.reach.range())
+        let of = slide(&mut memory.apex_deg, PrismMemory::APEX.reach.range())
             .step_by(0.5)
             .suffix("\u{b0}");
         let meaning = said!("The angle between the two faces that the light goes through.");
         form.slider((said(names::APEX), meaning), of);
-        let of = Slider::new(&mut memory.slit_mm, PrismMemory::SLIT.reach.range())
+        let of = slide(&mut memory.slit_mm, PrismMemory::SLIT.reach.range())
             .logarithmic(true)
             .fixed_decimals(2)
             .suffix(" mm");
@@ -112,7 +113,7 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
                 ))
         });
         if memory.at_minimum {
-            let of = Slider::new(&mut memory.minimum_nm, SEEN_NM[0]..=SEEN_NM[1])
+            let of = slide(&mut memory.minimum_nm, SEEN_NM[0]..=SEEN_NM[1])
                 .fixed_decimals(0)
                 .suffix(" nm");
             form.slider(
@@ -123,7 +124,7 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
                 of,
             );
         } else {
-            let of = Slider::new(
+            let of = slide(
                 &mut memory.incidence_deg,
                 PrismMemory::INCIDENCE.reach.range(),
             )
@@ -132,7 +133,7 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
             let meaning = said!("Angle between the light and the normal of the first face.");
             form.slider((said(names::INCIDENCE), meaning), of);
         }
-        let of = Slider::new(&mut memory.screen_mm, PrismMemory::SCREEN.reach.range())
+        let of = slide(&mut memory.screen_mm, PrismMemory::SCREEN.reach.range())
             .logarithmic(true)
             .fixed_decimals(0)
             .suffix(" mm");

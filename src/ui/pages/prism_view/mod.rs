@@ -11,9 +11,10 @@ mod substance;
 
 pub(super) use substance::substance;
 
+use crate::ui::kit::slide;
 use bench::Moved;
 use eframe::egui;
-use egui::{RichText, Slider, Ui, Vec2, vec2};
+use egui::{RichText, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -65,7 +66,7 @@ pub(super) struct PrismView {
 
 /// How bright the picture is.
 pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
-    let of = Slider::new(stops, STOPS.range())
+    let of = slide(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(format!(" {}", said!("stops")));

@@ -1,8 +1,9 @@
 //! What of a light is sent through: as it was measured, or as the model has it; and the model's two
 //! knobs, of which one moves its smooth part, the other what is a line of its own.
 
+use crate::ui::kit::slide;
 use eframe::egui;
-use egui::{Slider, SliderClamping};
+use egui::SliderClamping;
 
 use crate::{
     app::{Command, Detector, answers::LINE_THRESHOLDS, dispersion::Sent, ticks},
@@ -42,7 +43,7 @@ pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Se
     let before = context.app.document().settings;
     let mut settings = before;
     if sent == Sent::Model {
-        let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
+        let of = slide(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
         let meaning =
             said!("Waves that draw the smooth part: order N, which takes 2N + 1 numbers.");
         form.slider((said(names::ORDER), meaning), of);
@@ -50,7 +51,7 @@ pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Se
     // Otherwise it decides nothing.
     if settings.spikes && settings.detector == Detector::Energy {
         let [least, most] = LINE_THRESHOLDS;
-        let of = Slider::new(&mut settings.threshold_percent, least..=most)
+        let of = slide(&mut settings.threshold_percent, least..=most)
             .logarithmic(true)
             .clamping(SliderClamping::Never)
             .custom_formatter(|v, _| ticks::short(v))

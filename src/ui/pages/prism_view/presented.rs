@@ -1,5 +1,6 @@
 //! Prism and rainbow before a class: the drawing, the strip below it, and three sliders.
 
+use crate::ui::kit::slide;
 use eframe::egui;
 use egui::{Slider, Ui, vec2};
 
@@ -70,9 +71,7 @@ fn below(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
 }
 
 fn exposed(ui: &mut Ui, stops: &mut f64) {
-    let of = Slider::new(stops, STOPS.range())
-        .step_by(0.1)
-        .fixed_decimals(1);
+    let of = slide(stops, STOPS.range()).step_by(0.1).fixed_decimals(1);
     let meaning = said!("Brightness of the picture, in stops; each doubles it.");
     below(ui, (said(names::EXPOSURE), meaning), of);
 }
@@ -110,14 +109,14 @@ impl PrismView {
         let bench = &mut context.pages.prism;
         let (apex, slit, stops) = (&mut bench.apex_deg, &mut bench.slit_mm, &mut bench.stops);
         let apex = &mut |ui: &mut Ui| {
-            let of = Slider::new(apex, PrismMemory::APEX.reach.range())
+            let of = slide(apex, PrismMemory::APEX.reach.range())
                 .step_by(0.5)
                 .suffix("\u{b0}");
             let meaning = said!("The angle between the two faces that the light goes through.");
             below(ui, (said(names::APEX), meaning), of);
         };
         let slit = &mut |ui: &mut Ui| {
-            let of = Slider::new(slit, PrismMemory::SLIT.reach.range())
+            let of = slide(slit, PrismMemory::SLIT.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(2)
                 .suffix(" mm");
@@ -197,7 +196,7 @@ impl PrismView {
         let (stops, impact) = (&mut memory.stops, &mut memory.impact);
         let bright = &mut |ui: &mut Ui| exposed(ui, stops);
         let rays = &mut |ui: &mut Ui| {
-            let of = Slider::new(impact, RainbowMemory::IMPACT.reach.range())
+            let of = slide(impact, RainbowMemory::IMPACT.reach.range())
                 .fixed_decimals(2)
                 .suffix(" r");
             let meaning = said!("How far off its middle the coloured rays meet the drop, radii.");

@@ -1,7 +1,8 @@
 //! What a body is made of: the program's materials, curves of n that were opened, two numbers.
 
+use crate::ui::kit::slide;
 use eframe::egui;
-use egui::{Slider, Ui};
+use egui::Ui;
 
 use crate::{
     app::{
@@ -51,10 +52,10 @@ pub(crate) fn substance(
     };
     form.choice(choice, &now, list);
     if let Substance::Numbers { n_d, v_d } = made_of {
-        let of = Slider::new(n_d, INDICES.range()).fixed_decimals(4);
+        let of = slide(n_d, INDICES.range()).fixed_decimals(4);
         let meaning = said!("Index of refraction at the yellow line d, 587.6 nm.");
         form.slider((names::INDEX, meaning), of);
-        let of = Slider::new(v_d, ABBES.range()).fixed_decimals(1);
+        let of = slide(v_d, ABBES.range()).fixed_decimals(1);
         let meaning = said!("Abbe number: the smaller, the further the colours are spread.");
         form.slider((names::ABBE, meaning), of);
     }

@@ -2,7 +2,7 @@
 
 use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{Ui, vec2};
 
 use crate::{
     app::{
@@ -278,7 +278,7 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
                 .range(knob.reach.range())
                 .speed(speed)
                 .custom_formatter(|v, _| short(v))
-                .suffix(knob.unit);
+                .suffix(knob.unit());
             let response = ui.add(drag).labelled_by(label.id).on_hover_text(meaning);
             named(&response, egui::Role::SpinButton, name);
         };

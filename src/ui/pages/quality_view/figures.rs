@@ -333,14 +333,14 @@ fn figure_row(of: &[Row; 2]) -> TableRow {
         Ok(_) => first.reading.clone(),
         Err(why) => why.clone(),
     };
-    let title = std::iter::once(first.figure.title.to_owned());
+    let title = std::iter::once(first.figure.title().to_owned());
     TableRow {
-        name: format!("{}: {}", first.figure.title, first.shown()),
+        name: format!("{}: {}", first.figure.title(), first.shown()),
         cells: title
             .chain(of.iter().map(Row::shown))
             .chain([reading.clone()])
             .collect(),
-        note: first.figure.meaning.to_owned(),
+        note: first.figure.meaning().to_owned(),
         tips: std::iter::once(String::new())
             .chain(of.iter().map(why))
             .chain([reading])

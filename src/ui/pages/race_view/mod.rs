@@ -315,7 +315,7 @@ pub(super) fn has_own_lights(context: &PageContext<'_>) -> bool {
 
 /// What a figure is called, and what it counts.
 pub(super) fn title_and_meaning(measure: Measure) -> (&'static str, &'static str) {
-    (measure.figure().title, measure.figure().meaning)
+    (measure.figure().title(), measure.figure().meaning())
 }
 
 fn table_head(

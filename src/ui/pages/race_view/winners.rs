@@ -130,7 +130,7 @@ impl WinnerRows {
             ui,
             &tr!(
                 "Least {figure}, by numbers",
-                figure = winners.measure.figure().title
+                figure = winners.measure.figure().title()
             ),
         );
         let budgets = winners.budgets.iter().map(|numbers| {

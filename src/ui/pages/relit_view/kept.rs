@@ -3,7 +3,7 @@
 use crate::ui::kit::drag_value;
 use eframe::egui;
 use egui::{
-    DragValue, PopupCloseBehavior, Ui,
+    PopupCloseBehavior, Ui,
     containers::menu::{MenuButton, MenuConfig},
 };
 

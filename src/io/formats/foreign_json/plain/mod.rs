@@ -102,13 +102,13 @@ impl Finder<'_, '_, '_> {
             if several && !is_no_name(plain.trim()) {
                 let is_number = number::number(key.trim(), false).is_some();
                 self.push(if is_kind || is_number {
-                    format!("name: {} {}", self.input.stem(), kept(key))
+                    tr!("name: {stem} {kept}", stem = self.input.stem(), kept = kept(key))
                 } else {
-                    format!("name: {}", kept(key))
+                    tr!("name: {kept}", kept = kept(key))
                 });
             }
             if !several && is_kind {
-                self.push(format!("y units: {plain}"));
+                self.push(tr!("y units: {plain}", plain));
             }
             self.look(inner, depth)?;
             self.words.truncate(outside);
@@ -213,7 +213,7 @@ fn title_of_channel(title: &str) -> &'static str {
     let title = title.to_lowercase();
     let words = ["ssf", "sensitiv", "respons", "qe"];
     match words.iter().any(|word| title.contains(word)) {
-        true => "spectral sensitivity",
+        true => said!("spectral sensitivity"),
         false => "",
     }
 }

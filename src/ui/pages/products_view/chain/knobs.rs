@@ -2,7 +2,7 @@
 
 use crate::ui::kit::drag_value;
 use eframe::egui;
-use egui::{DragValue, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::super::change;
 use crate::{

@@ -4,7 +4,7 @@ mod band_pass;
 
 use crate::ui::kit::{drag_value, slide};
 use eframe::egui;
-use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
+use egui::{RichText, Sense, Ui, Vec2, vec2};
 
 use crate::{
     app::{
