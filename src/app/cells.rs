@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use crate::{
     app::numbers::or_dash,
     io::{Provenance, no_formula, one_line, quoted_where, shortest},
-    languages::with_sign,
+    languages::{self, with_sign},
     spectrum::NamedSpectrum,
 };
 
@@ -67,6 +67,32 @@ fn filed(value: &Value) -> String {
         Value::Number(n) if n.is_f64() => number(n.as_f64()),
         value => value.to_string(),
     }
+}
+
+/// CSV as it is, or with decimal commas and semicolons, as many spreadsheets read it.
+pub fn as_chosen(csv: String) -> String {
+    if !languages::has_decimal_commas() {
+        return csv;
+    }
+    let row = |row: &str| match row.starts_with('#') {
+        true => row.to_owned(),
+        // What stands in quotes is text.
+        false => {
+            let parts = row.split('"').enumerate();
+            let parts = parts.map(|(place, part)| match place % 2 {
+                0 => {
+                    let cells = part.split(',').map(|cell| match cell.parse::<f64>() {
+                        Ok(_) => cell.replace('.', ","),
+                        Err(_) => cell.to_owned(),
+                    });
+                    cells.collect::<Vec<_>>().join(";")
+                }
+                _ => part.to_owned(),
+            });
+            parts.collect::<Vec<_>>().join("\"")
+        }
+    };
+    csv.split('\n').map(row).collect::<Vec<_>>().join("\n")
 }
 
 /// Name and meaning of a column.
@@ -188,7 +214,8 @@ impl Table {
         }
     }
 
-    /// The columns of files as CSV, below the comments.
+    /// The columns of files as CSV, below the comments; with decimal commas where that was chosen
+    /// for what this thread writes.
     pub fn csv(&self) -> String {
         let filed = || self.heads.iter().filter(|head| !head.key.is_empty());
         let mut out = self.comments.clone();
@@ -198,7 +225,7 @@ impl Table {
             let cells = cells.filter(|(head, _)| !head.key.is_empty());
             out += &line(cells.map(|(_, cell)| cell.filed()));
         }
-        out
+        as_chosen(out)
     }
 
     /// The columns of files as JSON, an object a row.
@@ -290,6 +317,17 @@ pub(super) fn line(cells: impl IntoIterator<Item = impl Into<String>>) -> String
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_table_has_decimal_commas_where_that_was_chosen() {
+        let csv = "# a, b. c\nnm,name\n380.5,FL3.1\n-1e-7,\"1.5, or so\"\n".to_owned();
+        assert_eq!(as_chosen(csv.clone()), csv);
+        languages::write_decimal_commas(true);
+        let chosen = as_chosen(csv);
+        languages::write_decimal_commas(false);
+        let expected = "# a, b. c\nnm;name\n380,5;FL3.1\n-1e-7;\"1.5, or so\"\n";
+        assert_eq!(chosen, expected);
+    }
 
     #[test]
     fn a_cell_is_what_was_meant_or_nothing() {

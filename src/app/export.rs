@@ -150,7 +150,7 @@ impl Export {
             Self::CompositeLine => Ok(composite_line(&derived.model) + "\n"),
             Self::Csv => {
                 let scaled = scaled_subject(app);
-                encode("csv", &scaled, &columns(app), &provenance(app))
+                encode("csv", &scaled, &columns(app), &provenance(app)).map(cells::as_chosen)
             }
             Self::Spd => {
                 let model = reconstruction(app)?;

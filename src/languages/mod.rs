@@ -82,6 +82,17 @@ impl Language {
 
 thread_local! {
     static SPOKEN: Cell<Language> = const { Cell::new(Language::English) };
+    static DECIMAL_COMMAS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Whether tables that this thread writes have decimal commas.
+pub fn has_decimal_commas() -> bool {
+    DECIMAL_COMMAS.get()
+}
+
+/// Has tables that this thread writes have decimal commas, or points again.
+pub fn write_decimal_commas(are_wanted: bool) {
+    DECIMAL_COMMAS.set(are_wanted);
 }
 
 /// The language that this thread speaks.

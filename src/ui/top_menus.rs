@@ -16,6 +16,8 @@ pub(super) enum Wish {
     Act(Act),
     /// The window speaks a language from now on.
     Speak(Language),
+    /// Tables that are saved or copied have decimal commas, or points.
+    DecimalCommas(bool),
     /// No second light.
     CompareNoMore,
     /// The page where something is followed.
@@ -186,7 +188,12 @@ const FIRST: [(&str, &str, Wish); 4] = [
 ];
 
 /// Files out, and what is copied.
-pub(super) fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: &mut Vec<Wish>) {
+pub(super) fn save_menu(
+    ui: &mut Ui,
+    mut commas: bool,
+    [dialog_open, is_page]: [bool; 2],
+    wishes: &mut Vec<Wish>,
+) {
     ui.add_enabled_ui(!dialog_open, |ui| {
         for (words, meaning, asked) in FIRST {
             if ui
@@ -206,6 +213,19 @@ pub(super) fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: 
                 .show(ui, |ui| more_formats(ui, wishes));
         });
     });
+    ui.separator();
+    let words = said!("Decimal commas in tables");
+    let meaning = said!(
+        "Tables that are saved or copied have decimal commas and semicolons between their columns, \
+         as many spreadsheets expect."
+    );
+    if ui
+        .checkbox(&mut commas, words)
+        .on_hover_text(meaning)
+        .changed()
+    {
+        wishes.push(Wish::DecimalCommas(commas));
+    }
     ui.separator();
     let mut item = |ui: &mut Ui, words: &str, act: Act| {
         if ui.button(words).clicked() {

@@ -49,7 +49,7 @@ pub(super) fn show(
                 ui.separator();
             }
             ui.menu_button(said!("Save"), |ui| {
-                save_menu(ui, [menus.dialog_open, menus.is_page], wishes)
+                save_menu(ui, preferences.decimal_commas, [menus.dialog_open, menus.is_page], wishes)
             })
             .response
             .on_hover_text(said!("Save or copy spectrum, model, tables and pictures."));

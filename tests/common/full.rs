@@ -211,6 +211,7 @@ pub(crate) fn full_preferences() -> Preferences {
         photographs_asked: Vec::new(),
         lessons_finished: vec!["prism".to_owned()],
         language: spectral_explorer::languages::Language::Spanish,
+        decimal_commas: true,
         lesson_language: "de".to_owned(),
         lesson_asked: None,
         follow_asked: None,

@@ -55,6 +55,8 @@ pub struct Preferences {
     pub lessons_finished: Vec<String>,
     /// The language of the window.
     pub language: Language,
+    /// Tables that are saved or copied have decimal commas, for spreadsheets.
+    pub decimal_commas: bool,
     /// The code of the language that lessons are shown in, where they have texts in it.
     pub lesson_language: String,
     /// Photographs of spectra that are to be read, and files of instruments, once.
@@ -94,6 +96,7 @@ impl Default for Preferences {
             last_of_places: Vec::new(),
             lessons_finished: Vec::new(),
             language: Language::English,
+            decimal_commas: false,
             lesson_language: Language::English.code().to_owned(),
             photographs_asked: Vec::new(),
             lesson_asked: None,

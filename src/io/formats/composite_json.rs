@@ -286,7 +286,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         source: file.source.clone(),
         name: name.clone(),
         kind: Some(file.kind),
-        scale_in_force: said!("as measured").to_owned(),
+        scale_in_force: "as measured".to_owned(),
         written_by: tr!("Spectral Explorer {env}", env = env!("CARGO_PKG_VERSION")),
     };
     let text = serde_json::to_string_pretty(&file);

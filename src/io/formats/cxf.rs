@@ -48,7 +48,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut ranges: HashMap<&str, Node> = HashMap::new();
     for specification in xml::named(root, "ColorSpecification") {
         let range = xml::named(specification, "WavelengthRange").next();
-        if let (Some(id), Some(range)) = (xml::attribute(specification, said!("Id")), range) {
+        if let (Some(id), Some(range)) = (xml::attribute(specification, "Id"), range) {
             ranges.entry(id).or_insert(range);
         }
     }
@@ -57,7 +57,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for node in root.descendants().filter(Node::is_element) {
         let word = node.tag_name().name();
         if word == CUSTOM {
-            let name = object_of(node).and_then(|object| xml::attribute(object, said!("Name")));
+            let name = object_of(node).and_then(|object| xml::attribute(object, "Name"));
             reading.notes.push(tr!("{stem}: a {CUSTOM}, of which the file does not tell what it is, was left out", stem = name.unwrap_or(input.stem()), CUSTOM));
         }
         let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
@@ -66,7 +66,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let Some(object) = object_of(node) else {
             continue;
         };
-        let name = xml::attribute(object, said!("Name")).or_else(|| xml::attribute(object, said!("Id")));
+        let name = xml::attribute(object, "Name").or_else(|| xml::attribute(object, "Id"));
         let name = name.unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
         let too_many = || input.error(said!("far more spectra than its size allows"), budget::TEXT_WORDS);
@@ -87,7 +87,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 fn object_of<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
     node.ancestors()
         .take(DEEPEST)
-        .find(|n| n.tag_name().name().eq_ignore_ascii_case(said!("Object")))
+        .find(|n| n.tag_name().name().eq_ignore_ascii_case("Object"))
 }
 
 /// Adds the spectrum of an element; its number of points.
@@ -116,8 +116,8 @@ fn read_spectrum(
     })?;
     let start = positive("StartWL", start)?;
     let mut notes = Vec::new();
-    let step = match number(said!("Increment")) {
-        Some(text) => positive(said!("Increment"), text)?,
+    let step = match number("Increment") {
+        Some(text) => positive("Increment", text)?,
         None => {
             notes.push(said!("no increment in the file: taken as 10 nm").to_owned());
             10.0

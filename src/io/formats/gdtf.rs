@@ -40,20 +40,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let document = xml::parse(input, &text.text)?;
     let root = document.root_element();
     let fixture = xml::named(root, "FixtureType")
-        .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, said!("Name"))))
+        .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, "Name")))
         .map_or(input.stem(), kept);
     let slots = slots(root);
     let mut reading = Reading::default();
     let mut without = 0_usize;
-    for (element, kind) in [(said!("Emitter"), Kind::Light), (said!("Filter"), Kind::Transmittance)] {
+    for (element, kind) in [("Emitter", Kind::Light), ("Filter", Kind::Transmittance)] {
         for node in xml::named(root, element) {
-            let measurements: Vec<Node> = xml::children(node, said!("Measurement"))
+            let measurements: Vec<Node> = xml::children(node, "Measurement")
                 .filter(|m| xml::children(*m, "MeasurementPoint").next().is_some())
                 .collect();
             without += usize::from(measurements.is_empty());
             for measurement in &measurements {
-                let of_element = xml::attribute(node, said!("Name")).unwrap_or(element);
-                let name = match xml::attribute(*measurement, said!("Physical")) {
+                let of_element = xml::attribute(node, "Name").unwrap_or(element);
+                let name = match xml::attribute(*measurement, "Physical") {
                     Some(physical) if measurements.len() > 1 => {
                         tr!("{fixture} {of_element}, dimmer {physical}", fixture, of_element, physical)
                     }
@@ -103,9 +103,9 @@ fn read_measurement(
     let raw = RawSpectrum::known(name, &nm, values, kind, "relative");
     add_element(input, raw, (node, &[]), reading)?;
     let notes = [
-        (said!("Physical"), said!("dimmer at")),
+        ("Physical", said!("dimmer at")),
         ("LuminousIntensity", said!("luminous intensity")),
-        (said!("Transmission"), "transmission"),
+        ("Transmission", "transmission"),
     ];
     let notes = notes.map(|(name, what)| Some(format!("{what} {}", xml::attribute(node, name)?)));
     Ok(notes.into_iter().flatten().collect())
@@ -114,9 +114,9 @@ fn read_measurement(
 /// The wheel slots by the filters in them, the first of each.
 fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
     let mut slots = HashMap::new();
-    for slot in xml::named(root, said!("Slot")) {
-        let filter = xml::attribute(slot, said!("Filter"));
-        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, said!("Name"))) {
+    for slot in xml::named(root, "Slot") {
+        let filter = xml::attribute(slot, "Filter");
+        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, "Name")) {
             // A link may name the collection too: "Filters.CTO".
             let filter = filter.rsplit('.').next().unwrap_or(filter);
             slots.entry(filter).or_insert(name);

@@ -28,8 +28,8 @@ const MOST_SETTINGS: usize = 5000;
 const MOST_COLUMNS: usize = 1000;
 
 /// Beginnings of keys that are settings of an instrument and no results (lower case).
-const SETTINGS: &str = later!("i-time integration model serial time date memo title name measuring \
-     viewing firmware version average");
+const SETTINGS: &str = "i-time integration model serial time date memo title name measuring \
+     viewing firmware version average";
 
 /// Separators allowed between a key and its values.
 const MARKS: [(Delimiter, char); 3] = [

@@ -19,7 +19,7 @@ use crate::io::text::number::{self, Cell};
 use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new(later!("LI-COR LI-1800"), &["prn"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("LI-COR LI-1800", &["prn"], sniff, read);
 
 /// The header line of a word (`REM`), quotes removed.
 fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
@@ -64,7 +64,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let (unit, because) = if upper.contains("QNTM") {
         (PHOTONS, said!("QNTM in the remark: photons"))
     } else if upper.contains("WATT") {
-        (said!("W m-2 nm-1"), said!("WATT in the remark: energy"))
+        ("W m-2 nm-1", said!("WATT in the remark: energy"))
     } else {
         let because = said!("the remark names neither WATT nor QNTM: the unit is not known");
         ("", because)

@@ -14,7 +14,7 @@ use crate::io::table::alternating;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format::new(later!("Macam"), &["dta"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("Macam", &["dta"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let mut first = lines(input.head()).map(|(_, line)| line.trim());
@@ -35,9 +35,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let titles = lines(text).take(5);
     let mut titles = titles.filter_map(|(_, line)| Some(line.trim().strip_prefix('#')?.trim()));
-    let is_one = |title: &&str| !title.is_empty() && !title.eq_ignore_ascii_case(said!("no title"));
+    let is_one = |title: &&str| !title.is_empty() && !title.eq_ignore_ascii_case("no title");
     let name = titles.find(is_one).unwrap_or(input.stem());
-    let mut spectrum = RawSpectrum::light(name, &pairs.axis, pairs.values, said!("W m-2 nm-1"));
+    let mut spectrum = RawSpectrum::light(name, &pairs.axis, pairs.values, "W m-2 nm-1");
     spectrum.lines = &pairs.lines;
     let note = said!("W m-2 nm-1 is the instrument's unit; the file states none");
     spectrum.notes.push(note.to_owned());

@@ -15,7 +15,7 @@ use crate::io::text::lines;
 use crate::io::write::csv::{FIRST_TITLE, as_it_was};
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format::new(later!("Spectral Explorer CSV"), &["csv"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("Spectral Explorer CSV", &["csv"], sniff, read);
 
 /// More comments than the program writes.
 const MOST_COMMENTS: usize = 50;

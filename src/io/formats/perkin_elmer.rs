@@ -19,7 +19,7 @@ use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit};
 use crate::spectrum::Kind;
 
 pub(crate) const FORMAT: Format =
-    Format::new(later!("PerkinElmer PEDS ASCII"), &["sp", "asc", "txt"], sniff, read);
+    Format::new("PerkinElmer PEDS ASCII", &["sp", "asc", "txt"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();

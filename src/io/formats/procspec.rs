@@ -15,7 +15,7 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new(later!("Ocean Optics ProcSpec"), &["procspec"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("Ocean Optics ProcSpec", &["procspec"], sniff, read);
 
 /// Share of the memory that may come out of the archive; the parsed XML takes the rest.
 const SHARE: f64 = 0.2;
@@ -100,7 +100,7 @@ fn read_spectrum(
     }
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",
     // "Absorbance", "Irradiance".
-    let mut words = said!("yUnits yAxisLabel units processingName dataType").split(' ');
+    let mut words = "yUnits yAxisLabel units processingName dataType".split(' ');
     let stated = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
     let stated = stated.map(str::trim).filter(|stated| !stated.is_empty());
     let title = stated.unwrap_or(title);

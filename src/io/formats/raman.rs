@@ -45,14 +45,14 @@ const HEADER_LINES: usize = 60;
 const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
 
 /// Names of an axis of shifts, lower case.
-const SHIFTS: &str = later!("raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
-                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm");
+const SHIFTS: &str = "raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
+                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm";
 
 /// Words followed by a laser's wavelength, lower case.
 const LASER: [&str; 4] = [
     "laser",
     "excitation",
-    later!("raman wavelength"),
+    "raman wavelength",
     "raman_wavelength",
 ];
 
@@ -107,7 +107,7 @@ impl<'a> Head<'a> {
                 && value.to_lowercase().contains("raman")
         });
         says && !self.any(|line| {
-            let is_laser = holds_one(line, said!("laser;excitation;raman wavelength"));
+            let is_laser = holds_one(line, "laser;excitation;raman wavelength");
             !is_laser && holds_one(line, "wavelength;nanomet")
         })
     }

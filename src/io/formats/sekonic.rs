@@ -21,7 +21,7 @@ use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format::new(later!("Sekonic CSV"), &["csv"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("Sekonic CSV", &["csv"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -30,10 +30,10 @@ fn sniff(input: &Input) -> Confidence {
         line.starts_with(word)
     };
     let begins = |word: &str| lines(head).any(|(_, line)| starts(line, word));
-    let spectrum = lines(head).any(|(_, line)| starts(line, said!("Spectral Data")) && is_point(line));
-    let results = [said!("Date Saved"), said!("Tcp"), "CCT", "⊿uv", said!("Illuminance"), said!("CRI Ra")];
+    let spectrum = lines(head).any(|(_, line)| starts(line, "Spectral Data") && is_point(line));
+    let results = ["Date Saved", "Tcp", "CCT", "⊿uv", "Illuminance", "CRI Ra"];
     let given = results.iter().filter(|word| begins(word));
-    Confidence::certain_if(spectrum || begins(said!("Measuring Mode")) && given.count() >= 2)
+    Confidence::certain_if(spectrum || begins("Measuring Mode") && given.count() >= 2)
 }
 
 /// Runs of rising wavelengths: one block each.
@@ -69,9 +69,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let flash = found
         .get("Measuring Mode")
         .is_some_and(|mode| mode.to_lowercase().contains("flash"));
-    let unit = if flash { said!("W s m-2 nm-1") } else { said!("W m-2 nm-1") };
+    let unit = if flash { "W s m-2 nm-1" } else { "W m-2 nm-1" };
     reading_of(input, &found, finest.clone(), |column, values, _| {
-        let name = found.get_of(said!("Title"), column).unwrap_or(input.stem());
+        let name = found.get_of("Title", column).unwrap_or(input.stem());
         let mut spectrum = RawSpectrum::light(name, &nm[finest.clone()], values, unit);
         for block in all.iter().filter(|b| *b != finest).take(5) {
             let lines = &found.lines()[block.clone()];

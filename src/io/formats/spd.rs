@@ -9,7 +9,7 @@ use crate::io::interpret::{Heading, RawSpectrum, Scale, alone};
 use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format::new(later!("pbrt .spd"), &["spd"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("pbrt .spd", &["spd"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = lines(input.head())

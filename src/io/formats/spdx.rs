@@ -18,9 +18,9 @@ use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
 /// Precedes the notes in the comments of a file of this program.
-const NOTES_AT: &str = later!("; notes: ");
+const NOTES_AT: &str = "; notes: ";
 
-pub(crate) const FORMAT: Format = Format::new(later!("IES TM-27 .spdx"), &["spdx"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("IES TM-27 .spdx", &["spdx"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -70,11 +70,11 @@ fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
 }
 
 fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError> {
-    let header = children(root, said!("Header")).next();
-    let name = field(header, said!("Description"))
+    let header = children(root, "Header").next();
+    let name = field(header, "Description")
         .or_else(|| field(header, "CatalogNumber"))
         .unwrap_or(input.stem());
-    let maker = [said!("Manufacturer"), said!("Laboratory"), "ReportNumber", "ReportDate"]
+    let maker = ["Manufacturer", "Laboratory", "ReportNumber", "ReportDate"]
         .iter()
         .filter_map(|f| field(header, f))
         .collect::<Vec<_>>()
@@ -93,7 +93,7 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             continue;
         };
         spectrum.notes.extend(width);
-        let Some(comments) = field(header, said!("Comments")) else {
+        let Some(comments) = field(header, "Comments") else {
             continue;
         };
         if is_own {

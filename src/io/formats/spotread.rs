@@ -101,7 +101,7 @@ fn results(spectrum: usize, line: &str) -> Vec<MakersResult> {
         .collect();
     let of_pair = |pair: &[&str]| {
         let key = match pair[0] {
-            "Ambient" => said!("Illuminance [lx]"),
+            "Ambient" => "Illuminance [lx]",
             key @ ("CCT" | "Duv" | "Ra" | "Rf" | "Rg" | "R9") => key,
             _ => return None,
         };

@@ -19,7 +19,7 @@ use crate::io::text::{lines, number};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new(later!("SVC .sig"), &["sig"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("SVC .sig", &["sig"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();
@@ -87,8 +87,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let word = units.get(index).or(units.first()).copied().unwrap_or("");
         let unit = match word.to_lowercase().as_str() {
             // The instrument's manual: 1e-10 W cm-2 nm-1 sr-1.
-            "radiance" => said!("1e-10 W cm-2 nm-1 sr-1"),
-            "irradiance" => said!("1e-10 W cm-2 nm-1"),
+            "radiance" => "1e-10 W cm-2 nm-1 sr-1",
+            "irradiance" => "1e-10 W cm-2 nm-1",
             _ => word,
         };
         let called = match width {

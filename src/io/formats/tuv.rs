@@ -29,7 +29,7 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let (mut titles, mut unit, mut sun) = (Vec::new(), said!("W m-2 nm-1"), None);
+    let (mut titles, mut unit, mut sun) = (Vec::new(), "W m-2 nm-1", None);
     let mut content = lines(text).map(|(line, content)| (line, content.trim()));
     for (_, line) in content.by_ref() {
         if is_title(line) {

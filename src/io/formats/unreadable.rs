@@ -108,7 +108,7 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     if spdx.iter().any(|word| head.contains(word)) {
         let expected = said!("an IES TM-27 .spdx spectrum");
         Some((said!("an SPDX software licence document"), expected))
-    } else if starts(&[said!("<!doctype html"), "<html", "<br"]) {
+    } else if starts(&["<!doctype html", "<html", "<br"]) {
         Some((said!("a web page (HTML)"), A_SPECTRUM))
     } else if starts(&["<svg"]) || lower.contains("<svg ") && starts(&["<?xml"]) {
         Some((said!("an SVG drawing"), A_SPECTRUM))

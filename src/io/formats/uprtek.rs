@@ -30,10 +30,10 @@ pub(crate) const FORMAT: Format = Format::new(
 
 /// LI-COR's meter, which is built from UPRtek's and writes the same.
 pub(crate) const LI_180: Format = Format::new(
-    later!("LI-COR LI-180"),
+    "LI-COR LI-180",
     &["txt", "xls"],
     |input| Confidence::certain_if(is_li180(input) && is_meter(input)),
-    |input| read(input, later!("the LI-180's")),
+    |input| read(input, "the LI-180's"),
 );
 
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
@@ -49,7 +49,7 @@ fn is_meter(input: &Input) -> bool {
             behind.any(|rest| rest.starts_with(['\t', ';', ',', '"']))
         })
     };
-    let model = has_key(20, &[said!("model name"), "model"]);
+    let model = has_key(20, &["model name", "model"]);
     let known = has_key(usize::MAX, &["lambdap", "lambdapvalue", "i-time", "tlmf-a"]);
     // A model's name alone is written by any program.
     let results = || has_key(usize::MAX, &["lux", "cct", "ppfd", "pfd", "irr"]);
@@ -126,9 +126,9 @@ fn unit(
     // Photosynthesis counts 400-700 nm only.
     let of_plants = total_of(400.0..=700.0);
     for (quantity, total, unit) in [
-        (Quantity::Irradiance, 1e-3 * total, said!("mW m-2 nm-1")),
-        (Quantity::Irradiance, total, said!("W m-2 nm-1")),
-        (Quantity::Irradiance, 1e-2 * total, said!("µW cm-2 nm-1")),
+        (Quantity::Irradiance, 1e-3 * total, "mW m-2 nm-1"),
+        (Quantity::Irradiance, total, "W m-2 nm-1"),
+        (Quantity::Irradiance, 1e-2 * total, "µW cm-2 nm-1"),
         (Quantity::Pfd, total, PHOTONS),
         (Quantity::Ppfd, of_plants, PHOTONS),
     ] {
@@ -144,5 +144,5 @@ fn unit(
         }
     }
     let because = tr!("mW m-2 nm-1 is {makers} unit; the file states none", makers);
-    (said!("mW m-2 nm-1"), because)
+    ("mW m-2 nm-1", because)
 }

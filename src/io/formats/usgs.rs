@@ -20,7 +20,7 @@ use crate::io::text::number::{self, Cell};
 use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new(later!("USGS splib07"), &["txt"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("USGS splib07", &["txt"], sniff, read);
 
 /// Channels of an ASD, 350-2500 nm every nanometre.
 const ASD_CHANNELS: usize = 2151;
@@ -54,7 +54,7 @@ fn list<'a>(name: &str, text: &'a str) -> Result<(&'a str, Rows), ReadError> {
 
 /// Words for spectrometers in titles and file names: ASDFRa and ASDHRb are ASD.
 const SPECTROMETERS: &str =
-    later!("ASD BECK NIC4 AVIRIS HYMAP HYPERION VIMS CRISM ASTER LANDSAT SENTINEL WORLDVIEW");
+    "ASD BECK NIC4 AVIRIS HYMAP HYPERION VIMS CRISM ASTER LANDSAT SENTINEL WORLDVIEW";
 
 /// The spectrometer's word in a title or file name, upper case.
 fn spectrometer(title: &str) -> Option<&'static str> {

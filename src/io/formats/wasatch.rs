@@ -17,14 +17,14 @@ use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format::new(later!("Wasatch ENLIGHTEN JSON"), &["json"], sniff, read);
+pub(crate) const FORMAT: Format = Format::new("Wasatch ENLIGHTEN JSON", &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let mut keys = [
-        said!("ENLIGHTEN Version"),
+        "ENLIGHTEN Version",
         "spectrometerSettings",
-        said!("Measurement ID"),
+        "Measurement ID",
     ]
     .iter();
     let mut is_marked = || keys.any(|key| head.contains(&format!("\"{key}\"")));
@@ -49,7 +49,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let list = value.get("spectrum")?.as_object()?.get(key)?;
         list.is_array().then_some((key, list))
     };
-    let mut keys = [said!("Processed"), "processed", said!("Raw"), "raw"].into_iter();
+    let mut keys = ["Processed", "processed", "Raw", "raw"].into_iter();
     let (which, list) = keys.find_map(list).ok_or_else(|| {
         let expected = said!("\"spectrum\": {\"Processed\": [...]}");
         input.error(said!("ENLIGHTEN JSON without a processed spectrum"), expected)

@@ -180,6 +180,7 @@ impl Window {
         match wish {
             Wish::Act(act) => self.act(act, context),
             Wish::Speak(language) => self.preferences.speak(language),
+            Wish::DecimalCommas(are_wanted) => self.preferences.decimal_commas = are_wanted,
             Wish::Recent(index) => {
                 let path = self.preferences.recent.get(index).cloned();
                 self.open_files(path.into_iter().collect(), waker(context));

@@ -301,6 +301,7 @@ impl Window {
     fn speak(&mut self) {
         let language = self.preferences.language;
         languages::speak(language);
+        languages::write_decimal_commas(self.preferences.decimal_commas);
         if self.spoken != language {
             self.spoken = language;
             self.app.say_anew();

@@ -18,12 +18,12 @@ pub(super) struct Quantity<'a> {
 /// Kinds by Argyll's `MEAS_TYPE` and the terms of other programs: words contained, the kind, and
 /// Argyll's unit.
 const STATED: [([&str; 2], Kind, &str); 9] = [
-    (["AMBIENT", "FLASH"], Kind::Light, later!("mW s m-2 nm-1")),
-    (["AMBIENT", ""], Kind::Light, later!("mW m-2 nm-1")),
-    (["IRRADIAN", ""], Kind::Light, later!("mW m-2 nm-1")),
-    (["FLASH", ""], Kind::Light, later!("mW s m-2 sr-1 nm-1")),
-    (["EMISS", ""], Kind::Light, later!("mW m-2 sr-1 nm-1")),
-    (["RADIANCE", ""], Kind::Light, later!("mW m-2 sr-1 nm-1")),
+    (["AMBIENT", "FLASH"], Kind::Light, "mW s m-2 nm-1"),
+    (["AMBIENT", ""], Kind::Light, "mW m-2 nm-1"),
+    (["IRRADIAN", ""], Kind::Light, "mW m-2 nm-1"),
+    (["FLASH", ""], Kind::Light, "mW s m-2 sr-1 nm-1"),
+    (["EMISS", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
+    (["RADIANCE", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
     (["REFLECT", ""], Kind::Reflectance, ""),
     (["TRANSMI", ""], Kind::Transmittance, ""),
     (["SENSITIV", ""], Kind::Weighting, ""),

@@ -46,7 +46,7 @@ impl Header {
     /// # Errors
     /// [`ReadError`] if the value that marks missing data is not a number.
     pub fn layout(&self) -> Result<Layout, ReadError> {
-        let missing = self.number(said!("data ignore value"))?;
+        let missing = self.number("data ignore value")?;
         Ok(Layout {
             missing,
             ..self.layout
@@ -220,16 +220,16 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let samples = header.count("samples", None)?;
     let lines = header.count("lines", None)?;
     let bands = header.count("bands", Some(1))?;
-    let first_byte = header.count(said!("header offset"), Some(0))?;
-    let data_type = header.count(said!("data type"), None)?;
-    let byte_order = header.count(said!("byte order"), Some(0))?;
+    let first_byte = header.count("header offset", Some(0))?;
+    let data_type = header.count("data type", None)?;
+    let byte_order = header.count("byte order", Some(0))?;
     let number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
             6 | 9 => said!("complex numbers (data type 6 or 9)").to_owned(),
             other => tr!("data type {other}", other),
         };
         let expected = said!("data type 1, 2, 3, 4, 5, 12, 13, 14 or 15");
-        header.error(said!("data type"), found, expected)
+        header.error("data type", found, expected)
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
     let interleave = match &*word {
@@ -244,14 +244,14 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         }
     }
     if byte_order > 1 {
-        return Err(header.error(said!("byte order"), tr!("byte order = {byte_order}", byte_order), said!("0 or 1")));
+        return Err(header.error("byte order", tr!("byte order = {byte_order}", byte_order), said!("0 or 1")));
     }
-    let compression = said!("file compression");
+    let compression = "file compression";
     if header.text(compression).is_some_and(|word| word != "0") {
         let expected = said!("data that are not compressed; unpack them with ENVI or GDAL first");
         return Err(header.error(compression, said!("compressed data"), expected));
     }
-    let kind = header.text(said!("file type")).unwrap_or("").to_lowercase();
+    let kind = header.text("file type").unwrap_or("").to_lowercase();
     let names_spectra = header.fields.contains_key("spectra names");
     let has_one_band = bands == 1 && samples > 1;
     let is_library = kind.contains("spectral library")

@@ -18,10 +18,10 @@ pub(super) fn read(
     data_name: &str,
     choices: &Choices,
 ) -> Result<Reading, ReadError> {
-    let kind = header.text(said!("file type")).unwrap_or("");
+    let kind = header.text("file type").unwrap_or("");
     if kind.to_lowercase().contains("classification") {
         let found = said!("a classification (classes, not spectra)");
-        return Err(header.error(said!("file type"), found, said!("a cube or a spectral library")));
+        return Err(header.error("file type", found, said!("a cube or a spectral library")));
     }
     let channels = meaning::channels(header, choices.wavelengths)?;
     let (layout, bytes) = (header.layout()?, data.len() as u64);

@@ -30,7 +30,7 @@ pub(super) fn read(
     let (channels, count) = (header.channels, header.height);
     if header.width != 1 {
         let found = tr!("a library with bands = {width}", width = header.width);
-        return Err(header.error("bands", found, said!("bands = 1")));
+        return Err(header.error("bands", found, "bands = 1"));
     }
     let need = header.bytes().filter(|need| *need <= data.len());
     let need = need.ok_or_else(|| header.short(data.len(), data_name))?;
@@ -56,7 +56,7 @@ pub(super) fn read(
         .map(|i| value(i / channels, i % channels))
         .collect();
     let (known, of_values) = meaning::values(header, data_name, &sample)?;
-    let names = header.list(said!("spectra names"));
+    let names = header.list("spectra names");
     let nm: Vec<f64> = axis.bands.iter().map(|(nm, _)| *nm).collect();
 
     let mut reading = Reading {

@@ -41,11 +41,11 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
         return Err(header.error("wavelength", found, said!("\"wavelength = {...}\", one a channel")));
     }
     let mut notes = Vec::new();
-    let title = header.text(said!("wavelength units")).unwrap_or("");
+    let title = header.text("wavelength units").unwrap_or("");
     let word = title.to_lowercase();
     if chosen.is_none() && ["hz", "index"].iter().any(|other| word.contains(other)) {
         let expected = said!("nanometers, micrometers, angstroms or wavenumber");
-        return Err(header.error(said!("wavelength units"), quoted(title), expected));
+        return Err(header.error("wavelength units", quoted(title), expected));
     }
     let (mut found, against) = match chosen {
         Some(unit) => (Decision::chosen(unit), None),
@@ -155,9 +155,9 @@ pub fn values(
     sample: &[f64],
 ) -> Result<(Known, Vec<String>), ReadError> {
     // The first title is the x axis's.
-    let title = header.list(said!("z plot titles"));
+    let title = header.list("z plot titles");
     let title = title.get(1).copied().unwrap_or("");
-    let stated = header.number(said!("reflectance scale factor"))?;
+    let stated = header.number("reflectance scale factor")?;
     let factor = stated.filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
     let mut notes = Vec::new();
@@ -177,12 +177,12 @@ pub fn values(
             None => KnownScale::Told(or_large(by_size(sample), true, sample)),
         };
     }
-    if header.text(said!("data gain values")).is_some() || header.text(said!("data offset values")).is_some() {
+    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
         notes.push(said!("gains and offsets of the header are not applied").to_owned());
     }
     let known = Known {
         kind: Some(kind),
-        unit: Some(header.text(said!("data units")).unwrap_or("").to_owned()),
+        unit: Some(header.text("data units").unwrap_or("").to_owned()),
         scale,
         may_be_large: true,
     };
@@ -209,7 +209,7 @@ fn kind_of_values(
     if let Some(kind) = kinds::kind_of_title(title) {
         return Decision::of_format(kind);
     }
-    let words: Vec<String> = [said!("data units"), "description", said!("data values"), said!("sensor type")]
+    let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
         .iter()
         .filter_map(|key| header.text(key).map(str::to_lowercase))
         .collect();

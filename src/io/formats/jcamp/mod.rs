@@ -106,7 +106,7 @@ fn unit_of(
         return Err(input.error_at(block.line, found, said!("a spectrum over wavelengths")));
     }
     let unit = WavelengthUnit::of_title(x_units);
-    let open = ["", said!("arbitrary units"), "unknown", "none"];
+    let open = ["", "arbitrary units", "unknown", "none"];
     if unit.is_none() && !open.contains(&x_units.to_lowercase().as_str()) {
         let found = tr!("{quoted} on the x axis", quoted = quoted(x_units));
         let expected = said!("NANOMETERS, MICROMETERS or 1/CM");

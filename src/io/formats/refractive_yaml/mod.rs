@@ -24,7 +24,7 @@ use crate::io::{Input, ReadError, Reading, budget};
 
 /// refractiveindex.info.
 pub(crate) const FORMAT: Format = Format {
-    name: later!("refractiveindex.info YAML"),
+    name: "refractiveindex.info YAML",
     extensions: &["yml", "yaml"],
     sniff,
     read,
@@ -126,7 +126,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
     // A formula beside a table of n comes last.
-    let tabulates_n = |data: &Data| matches!(data.r#type.trim(), "tabulated n" | said!("tabulated nk"));
+    let tabulates_n = |data: &Data| matches!(data.r#type.trim(), "tabulated n" | "tabulated nk");
     let has_table_of_n = file.data.iter().any(tabulates_n);
     let is_beside = |data: &Data| has_table_of_n && data.r#type.trim().starts_with("formula");
     let mut all: Vec<(bool, &Data)> = file.data.iter().map(|d| (is_beside(d), d)).collect();
@@ -168,9 +168,9 @@ fn read_data(
     let kind = data.r#type.trim();
     let formula = kind.strip_prefix("formula ");
     let letters = match (kind, formula.and_then(|number| number.trim().parse().ok())) {
-        (said!("tabulated nk"), _) => "nk",
-        (said!("tabulated n"), _) => "n",
-        (said!("tabulated k"), _) => "k",
+        ("tabulated nk", _) => "nk",
+        ("tabulated n", _) => "n",
+        ("tabulated k", _) => "k",
         (_, Some(number @ 1..=9)) => {
             let (samples, notes) = read_formula(input, data, number)?;
             return Ok(vec![('n', samples, notes)]);

@@ -9,9 +9,9 @@ pub(super) const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "
 
 /// True if a key, its words separated and in lower case, is no name of the content under it.
 pub(super) fn is_no_name(plain: &str) -> bool {
-    const NO_NAMES: &str = later!("data;spectrum;spectra;spectral data;values;value;points;samples;sample;\
+    const NO_NAMES: &str = "data;spectrum;spectra;spectral data;values;value;points;samples;sample;\
          measurements;measurement;results;result;spd;series;records;rows;items;meta;metadata;info;\
-         main");
+         main";
     NO_NAMES.split(';').any(|word| word == plain)
 }
 

@@ -81,7 +81,7 @@ fn beside(object: &Object, at: usize) -> Option<Lists<'_>> {
     let table = Lists {
         axis_title: match is_axis(axis_key) {
             true => spaced(axis_key),
-            false => said!("wavelength nm").to_owned(),
+            false => "wavelength nm".to_owned(),
         },
         says_nm: items(value).is_some_and(|items| items.iter().any(|item| says_nm(item))),
         axis,

@@ -213,7 +213,7 @@ fn title_of_channel(title: &str) -> &'static str {
     let title = title.to_lowercase();
     let words = ["ssf", "sensitiv", "respons", "qe"];
     match words.iter().any(|word| title.contains(word)) {
-        true => said!("spectral sensitivity"),
+        true => "spectral sensitivity",
         false => "",
     }
 }
