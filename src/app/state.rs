@@ -405,12 +405,6 @@ impl App {
         }
     }
 
-    /// Makes anew what has words in it: another language is spoken from now on.
-    pub fn say_anew(&mut self) {
-        self.told = None;
-        self.recompute(Kept::AllOrders);
-    }
-
     /// Derives what cannot be the same any more.
     fn recompute(&mut self, kept: Kept) {
         self.changes += 1;

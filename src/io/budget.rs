@@ -27,7 +27,7 @@ pub(crate) const TEXT_WORDS: &str = later!("at most 16 MiB of memory and 20 time
 /// A size in the unit that suits it.
 pub(crate) fn in_words(bytes: usize) -> String {
     match bytes {
-        0..=9_999 => tr!("{n} byte" | "{n} bytes" % bytes),
+        0..=9_999 => tr!("{n} bytes" | "{n} bytes" % bytes),
         10_000..=9_999_999 => format!("{} KiB", bytes >> 10),
         _ => format!("{} MiB", bytes >> 20),
     }

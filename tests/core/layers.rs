@@ -650,7 +650,7 @@ fn the_search_for_ways_back_up_in_io_finds_them() {
 const MOST_LINES: usize = 450;
 
 /// Tables of words and figures, which may be as long as they are.
-const TABLES: [&str; 0] = [];
+const TABLES: [&str; 1] = ["src/app/glossary/words.rs"];
 
 /// Files that are longer still. The list may only become shorter.
 const LONG: [&str; 0] = [];

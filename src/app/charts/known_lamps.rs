@@ -23,7 +23,7 @@ pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
         vec![Series::area(said!("measured"), Ink::Measured, measured, floor).coloured()];
     let parts = found.parts.iter().zip((0..).map(Ink::Overlay));
     for ((title, values), ink) in parts {
-        series.push(Series::line(*title, ink, points(values)).dashed(Dash::Dashed));
+        series.push(Series::line(title.clone(), ink, points(values)).dashed(Dash::Dashed));
     }
     let smooth = points(&encoding.smooth.on_band());
     series.push(Series::line(said!("short series"), Ink::Smooth, smooth).dashed(Dash::Dotted));

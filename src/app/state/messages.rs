@@ -1,6 +1,6 @@
 //! What the program says in the status line.
 
-use super::App;
+use super::{App, Kept};
 
 /// How weighty a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +30,12 @@ pub struct Message {
 const NOTICED: u64 = 3;
 
 impl App {
+    /// Makes anew what has words in it: another language is spoken from now on.
+    pub fn say_anew(&mut self) {
+        self.told = None;
+        self.recompute(Kept::AllOrders);
+    }
+
     /// The newest message.
     pub fn message(&self) -> Option<&Message> {
         self.messages.last()

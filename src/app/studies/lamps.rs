@@ -67,7 +67,7 @@ pub struct EncodedLight {
     /// What the words decode to.
     pub decoded: Vec<f64>,
     /// Of each known lamp its name and its part of the light.
-    pub parts: Vec<(&'static str, Vec<f64>)>,
+    pub parts: Vec<(String, Vec<f64>)>,
 }
 
 impl EncodeAsk {
@@ -111,7 +111,7 @@ impl EncodeAsk {
         let makeup = Ingredients::of(&encoded.encoding);
         let part = |part: &crate::lamps::Part| {
             let atom = decoder.atom(part.index)?;
-            Some((part.title, atom.iter().map(|v| part.weight * v).collect()))
+            Some((part.shown(), atom.iter().map(|v| part.weight * v).collect()))
         };
         Ok(EncodedLight {
             parts: makeup.parts.iter().filter_map(part).collect(),
@@ -159,7 +159,7 @@ mod tests {
         let is_fl2 = |found: &EncodedLight| found.parts.iter().any(|(t, _)| t.contains("FL2 "));
         let named = |found: &EncodedLight| {
             let parts = found.parts.iter();
-            parts.map(|(title, _)| *title).collect::<Vec<_>>()
+            parts.map(|(title, _)| title.clone()).collect::<Vec<_>>()
         };
         let itself = asked(&app, true, true);
         let others = asked(&app, true, false);

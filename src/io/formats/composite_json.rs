@@ -25,9 +25,10 @@ use crate::spectrum::{Band, BandError, Basis, Composite, Kind, Line, Series};
 use super::{Confidence, Format};
 use crate::io::decode::json::json_error;
 use crate::io::error::WriteError;
-use crate::io::many::{many, numbers};
+use crate::io::many::numbers;
 use crate::io::text::number::is_measured;
 use crate::io::{CompositeFile, Input, ReadError, Reading};
+use crate::languages::with_sign;
 
 /// The word in `format`.
 pub(crate) const FORMAT_WORD: &str = "composite-spectrum";
@@ -102,16 +103,24 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 /// One line about a composite: basis, order, range, spikes, and the count of its numbers.
 pub(crate) fn in_words(composite: &Composite) -> String {
     let (band, smooth) = (composite.band(), composite.smooth());
-    tr!("{word} series of order {order}, {min_nm}-{max_nm} nm, {many}, {numbers}", word = smooth.basis.word(), order = smooth.order(), min_nm = band.min_nm(), max_nm = band.max_nm(), many = match composite.lines().len() {
-            0 => said!("no spikes").to_owned(),
-            n if !composite.has_widths() => many(n, "line", "lines"),
-            n => many(n, said!("line with its width"), said!("lines with their widths")),
-        }, numbers = numbers(composite.numbers()))
+    let order = smooth.order();
+    let series = match smooth.basis {
+        Basis::Fourier => tr!("fourier series of order {order}", order),
+        Basis::Cosine => tr!("cosine series of order {order}", order),
+    };
+    let [min_nm, max_nm] = [band.min_nm(), band.max_nm()].map(|nm| with_sign(nm.to_string()));
+    let lines = match composite.lines().len() {
+        0 => said!("no spikes").to_owned(),
+        n if !composite.has_widths() => tr!("{n} line" | "{n} lines" % n),
+        n => tr!("{n} line with its width" | "{n} lines with their widths" % n),
+    };
+    let numbers = numbers(composite.numbers());
+    format!("{series}, {min_nm}-{max_nm} nm, {lines}, {numbers}")
 }
 
 /// The reason why a text is not a valid composite.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("found {found}, expected {expected}")]
+#[error("{}", tr!("found {found}, expected {expected}", found, expected))]
 pub struct CompositeTextError {
     /// The content found.
     pub found: String,
@@ -136,7 +145,7 @@ impl CompositeTextError {
 /// The composite of a parsed file; `stem` is the name of one without a name.
 fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextError> {
     if file.format != FORMAT_WORD {
-        let found = tr!("format \"{format}\"", format = file.format);
+        let found = format!("format \"{}\"", file.format);
         return Err(CompositeTextError::new(found, format!("\"{FORMAT_WORD}\"")));
     }
     let [first, last] = VERSIONS;
@@ -147,7 +156,7 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextEr
     }
     let [min, max] = file.range_nm;
     let off = |error: BandError| {
-        CompositeTextError::new(tr!("range_nm [{min}, {max}]", min, max), error.to_string())
+        CompositeTextError::new(format!("range_nm [{min}, {max}]"), error.to_string())
     };
     let band = Band::new(min, max).map_err(off)?;
     let smooth = smooth_of(band, file.basis, file.coefficients)?;
@@ -187,7 +196,10 @@ fn smooth_of(
             .iter()
             .map(|name| format!("\"{name}\": [...]"))
             .collect();
-        let found = tr!("other coefficients with the {word} basis", word = basis.word());
+        let found = match basis {
+            Basis::Fourier => said!("other coefficients with the fourier basis"),
+            Basis::Cosine => said!("other coefficients with the cosine basis"),
+        };
         return Err(CompositeTextError::new(
             found,
             format!("{{{}}}", lists.join(", ")),
@@ -198,11 +210,15 @@ fn smooth_of(
     Series::from_lists(band, basis, &lists).ok_or_else(|| {
         let counts = lists
             .iter()
-            .map(|(name, list)| tr!("{list} in {name}", list = list.len(), name));
-        let found = tr!("numbers: {join}", join = counts.collect::<Vec<_>>().join(" and "));
+            .map(|(name, list)| tr!("{count} in {name}", count = list.len(), name));
+        let found = {
+            let counts = counts.reduce(|one, other| tr!("{one} and {other}", one, other));
+            tr!("numbers: {counts}", counts = counts.unwrap_or_default())
+        };
         let expected = match &own[1..] {
             [] => said!("one at least").to_owned(),
-            others => tr!("one more in {own} than in {join}", own = own[0], join = others.join(" and in ")),
+            [other] => tr!("one more in {list} than in {other}", list = own[0], other),
+            others => format!("one more in {} than in {}", own[0], others.join(" and in ")),
         };
         CompositeTextError::new(found, expected)
     })
@@ -218,17 +234,24 @@ pub(super) fn checked(smooth: Series, lines: Vec<Line>) -> Result<Composite, Com
     let odd = |found: String, expected: String| Err(CompositeTextError::new(found, expected));
     let mut widths = lines.iter().map(|line| line.fwhm_nm);
     if let Some(width) = widths.find(|width| !(0.0..=WIDEST_NM).contains(width)) {
-        let expected = tr!("a width of 0 to {WIDEST_NM} nm", WIDEST_NM);
+        let expected = tr!(
+            "a width of 0 to {widest} nm",
+            widest = with_sign(WIDEST_NM.to_string())
+        );
+        let width = with_sign(width.to_string());
         return odd(tr!("a line {width} nm wide", width), expected);
     }
     let most = 2 * Basis::highest_order(band) + 1;
     if !(1..=most).contains(&coefficients.len()) {
-        let found = tr!("{coefficients} coefficients", coefficients = coefficients.len());
+        let found = tr!("{n} coefficients" | "{n} coefficients" % coefficients.len());
         return odd(found, tr!("1 to {most} on this range", most));
     }
     if let Some(c) = coefficients.iter().find(|c| !is_measured(**c)) {
         return odd(
-            tr!("the coefficient {c}", c),
+            tr!(
+                "the coefficient {number}",
+                number = with_sign(c.to_string())
+            ),
             said!("a number below 1e30").to_owned(),
         );
     }
@@ -236,14 +259,23 @@ pub(super) fn checked(smooth: Series, lines: Vec<Line>) -> Result<Composite, Com
         if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
             let expected = said!("a wavelength above 0 and a weight below 1e30");
             return odd(
-                tr!("a spike of {weight} at {at_nm} nm", weight, at_nm),
+                tr!(
+                    "a spike of {weight} at {at} nm",
+                    weight = with_sign(weight.to_string()),
+                    at = with_sign(at_nm.to_string())
+                ),
                 expected.to_owned(),
             );
         }
         if !band.contains(*at_nm) {
-            let (from, to) = (band.min_nm(), band.max_nm());
-            let expected = tr!("lines on the composite's range, {from} to {to} nm", from, to);
-            return odd(tr!("a line at {at_nm} nm", at_nm), expected);
+            let [from, to] = [band.min_nm(), band.max_nm()].map(|nm| with_sign(nm.to_string()));
+            let expected = tr!(
+                "lines on the composite's range, {from} to {to} nm",
+                from,
+                to
+            );
+            let found = tr!("a line at {at} nm", at = with_sign(at_nm.to_string()));
+            return odd(found, expected);
         }
     }
     Ok(Composite::of_lines_inside(smooth, lines))
@@ -287,7 +319,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         name: name.clone(),
         kind: Some(file.kind),
         scale_in_force: "as measured".to_owned(),
-        written_by: tr!("Spectral Explorer {env}", env = env!("CARGO_PKG_VERSION")),
+        written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };
     let text = serde_json::to_string_pretty(&file);
     text.map(|text| text + "\n")

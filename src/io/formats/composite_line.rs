@@ -19,6 +19,7 @@ use crate::io::error::quoted;
 use crate::io::provenance::shortest;
 use crate::io::text::number::number;
 use crate::io::{CompositeFile, Guessed, Input, OpenQuestion, ReadError, Reading};
+use crate::languages::said;
 
 /// First field of the line: the format and its version, of ideal spikes and of lines that have a
 /// width.
@@ -52,7 +53,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         guesses: vec![OpenQuestion {
             spectrum: 0,
             what: Guessed::Kind,
-            chosen: Kind::Light.word().to_owned(),
+            chosen: said(Kind::Light.word()).to_owned(),
             because: said!("the line does not say").to_owned(),
             plain: false,
         }],
@@ -103,13 +104,14 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
         [_, basis, range, coefficients] => (basis, range, coefficients, ""),
         _ => {
             let expected = said!("5: cs1;basis;range;coefficients;spikes");
-            let found = tr!("{fields} fields", fields = fields.len());
+            let found = tr!("{n} fields" | "{n} fields" % fields.len());
             return Err(CompositeTextError::new(found, expected));
         }
     };
     let basis = Basis::from_word(basis).ok_or_else(|| {
-        let words = Basis::ALL.map(Basis::word).join(" or ");
-        odd("basis", basis, &words)
+        let words = Basis::ALL.map(|basis| basis.word().to_owned()).into_iter();
+        let words = words.reduce(|one, other| tr!("{one} or {other}", one, other));
+        odd("basis", basis, words.unwrap_or_default())
     })?;
     let band = parse_range(range)?;
     let coefficients = coefficients
@@ -131,7 +133,13 @@ fn finite(word: &str, expected: &str) -> Result<f64, CompositeTextError> {
 
 /// The refusal of a part of the line.
 fn odd(what: &str, part: &str, expected: impl Into<String>) -> CompositeTextError {
-    CompositeTextError::new(format!("{what} {}", quoted(part)), expected)
+    let part = quoted(part);
+    let found = match what {
+        "basis" => tr!("basis {word}", word = part),
+        "range" => tr!("range {word}", word = part),
+        _ => tr!("spike {word}", word = part),
+    };
+    CompositeTextError::new(found, expected)
 }
 
 fn parse_range(range: &str) -> Result<Band, CompositeTextError> {
@@ -146,7 +154,7 @@ fn parse_range(range: &str) -> Result<Band, CompositeTextError> {
 fn parse_spike(word: &str, has_widths: bool) -> Result<Line, CompositeTextError> {
     let (at_nm, rest) = word
         .split_once('*')
-        .ok_or_else(|| odd("spike", word, "nm*weight"))?;
+        .ok_or_else(|| odd("spike", word, said!("nm*weight")))?;
     let (weight, width) = match rest.split_once('*').filter(|_| has_widths) {
         Some((weight, width)) => (weight, finite(width, said!("a line's width in nm"))?),
         None => (rest, 0.0),

@@ -13,7 +13,8 @@ use super::{Confidence, Format, add_element};
 use crate::io::decode::xml;
 use crate::io::interpret::RawSpectrum;
 use crate::io::text::number;
-use crate::io::{Decision, Input, ReadError, Reading, budget, many, quoted};
+use crate::io::{Decision, Input, ReadError, Reading, budget, quoted};
+use crate::languages::said;
 use crate::spectrum::Kind;
 
 /// CxF3.
@@ -58,7 +59,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let word = node.tag_name().name();
         if word == CUSTOM {
             let name = object_of(node).and_then(|object| xml::attribute(object, "Name"));
-            reading.notes.push(tr!("{stem}: a {CUSTOM}, of which the file does not tell what it is, was left out", stem = name.unwrap_or(input.stem()), CUSTOM));
+            reading.notes.push(tr!(
+                "{name}: a {element}, of which the file does not tell what it is, was left out",
+                name = name.unwrap_or(input.stem()),
+                element = CUSTOM
+            ));
         }
         let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
             continue;
@@ -69,14 +74,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let name = xml::attribute(object, "Name").or_else(|| xml::attribute(object, "Id"));
         let name = name.unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
-        let too_many = || input.error(said!("far more spectra than its size allows"), budget::TEXT_WORDS);
+        let too_many = || {
+            input.error(
+                said!("far more spectra than its size allows"),
+                said(budget::TEXT_WORDS),
+            )
+        };
         left = left
             .checked_sub(SPECTRUM_BYTES + 32 * points)
             .ok_or_else(|| too_many().at_line(xml::line(node)))?;
     }
     if reading.spectra.is_empty() {
-        let why = reading.notes.first().map(|note| format!(" ({note})"));
-        let found = tr!("a CxF file without spectra{unwrap_or_default}", unwrap_or_default = why.unwrap_or_default());
+        let found = match reading.notes.first() {
+            Some(why) => tr!("a CxF file without spectra ({why})", why),
+            None => said!("a CxF file without spectra").to_owned(),
+        };
         let expected = said!("an Object with a ReflectanceSpectrum or an EmissiveSpectrum");
         return Err(input.error(found, expected));
     }
@@ -107,10 +119,17 @@ fn read_spectrum(
     let positive = |name: &str, text: &str| {
         let number = number::number(text, false).filter(|x| x.is_finite() && *x > 0.0);
         let found = || format!("{name}={}", quoted(text));
-        number.ok_or_else(|| input.error(found(), said!("a wavelength in nm")).at_line(at()))
+        number.ok_or_else(|| {
+            input
+                .error(found(), said!("a wavelength in nm"))
+                .at_line(at())
+        })
     };
     let start = number("StartWL").ok_or_else(|| {
-        let found = tr!("<{tag_name}> without StartWL", tag_name = node.tag_name().name());
+        let found = tr!(
+            "<{element}> without StartWL",
+            element = node.tag_name().name()
+        );
         let expected = said!("StartWL=\"nm\" there or in its ColorSpecification");
         input.error(found, expected).at_line(at())
     })?;
@@ -130,8 +149,11 @@ fn read_spectrum(
     let words = node.text().unwrap_or("").split_whitespace();
     let values: Vec<f64> = words.map(value).collect::<Result<_, _>>()?;
     if values.len() < 2 {
-        let found = many::many(values.len(), "value", "values");
-        let note = tr!("{name}: {found}, too few for a spectrum: left out", name, found);
+        let note = tr!(
+            "{name}: {n} value, too few for a spectrum: left out"
+                | "{name}: {n} values, too few for a spectrum: left out" % values.len(),
+            name
+        );
         reading.notes.push(note);
         return Ok(values.len());
     }

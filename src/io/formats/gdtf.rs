@@ -34,7 +34,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut archive = Archive::open(input, SHARE)?;
     let is_description = |name: &String| name.eq_ignore_ascii_case(DESCRIPTION);
     let index = archive.names.iter().position(is_description);
-    let none = || input.error(said!("an archive without description.xml"), said!("a GDTF fixture"));
+    let none = || {
+        input.error(
+            said!("an archive without description.xml"),
+            said!("a GDTF fixture"),
+        )
+    };
     let bytes = archive.member(index.ok_or_else(none)?)?;
     let text = text::decode(&bytes);
     let document = xml::parse(input, &text.text)?;
@@ -55,7 +60,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 let of_element = xml::attribute(node, "Name").unwrap_or(element);
                 let name = match xml::attribute(*measurement, "Physical") {
                     Some(physical) if measurements.len() > 1 => {
-                        tr!("{fixture} {of_element}, dimmer {physical}", fixture, of_element, physical)
+                        format!("{fixture} {of_element}, dimmer {physical}")
                     }
                     _ => format!("{fixture} {of_element}"),
                 };
@@ -72,12 +77,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if reading.spectra.is_empty() {
         return Err(input.error(
-            tr!("a GDTF fixture of {without} emitters and filters without measurements", without),
+            tr!(
+                "a GDTF fixture of {n} emitters and filters without measurements"
+                    | "a GDTF fixture of {n} emitters and filters without measurements" % without
+            ),
             said!("<Measurement> with two or more <MeasurementPoint> elements"),
         ));
     }
     if without > 0 {
-        let note = tr!("{without} emitters or filters have no measurement", without);
+        let note = tr!("{n} emitters or filters have no measurement"
+            | "{n} emitters or filters have no measurement" % without);
         reading.notes.push(note);
     }
     Ok(reading)
@@ -102,12 +111,12 @@ fn read_measurement(
     let kind = Decision::of_format(kind);
     let raw = RawSpectrum::known(name, &nm, values, kind, "relative");
     add_element(input, raw, (node, &[]), reading)?;
+    let stated = |name| xml::attribute(node, name);
     let notes = [
-        ("Physical", said!("dimmer at")),
-        ("LuminousIntensity", said!("luminous intensity")),
-        ("Transmission", "transmission"),
+        stated("Physical").map(|value| tr!("dimmer at {value}", value)),
+        stated("LuminousIntensity").map(|value| tr!("luminous intensity {value}", value)),
+        stated("Transmission").map(|value| tr!("transmission {value}", value)),
     ];
-    let notes = notes.map(|(name, what)| Some(format!("{what} {}", xml::attribute(node, name)?)));
     Ok(notes.into_iter().flatten().collect())
 }
 

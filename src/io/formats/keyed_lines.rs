@@ -246,7 +246,8 @@ pub(crate) fn reading_of<'k>(
     }
     let results = reading.results.len();
     if results > 0 {
-        let note = tr!("{results} results of the instrument kept beside the spectrum", results);
+        let note = tr!("{n} results of the instrument kept beside the spectrum"
+            | "{n} results of the instrument kept beside the spectrum" % results);
         reading.notes.push(note);
     }
     Ok(reading)

@@ -17,6 +17,7 @@ use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::lines;
 use crate::io::text::number::{self, Cell};
 use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading};
+use crate::languages::said;
 use crate::spectrum::Kind;
 
 pub(crate) const FORMAT: Format = Format::new("LI-COR LI-1800", &["prn"], sniff, read);
@@ -85,7 +86,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         spectrum.notes.push(because.to_owned());
     }
     if unit == PHOTONS {
-        spectrum.notes.push(PHOTON_NOTE.to_owned());
+        spectrum.notes.push(said(PHOTON_NOTE).to_owned());
     }
     let mut reading = alone(spectrum, input)?;
     if let Some(found) = peak
@@ -97,7 +98,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             quantity: Quantity::PeakNm,
             value,
             unit: "nm".to_owned(),
-            as_written: tr!("MAX: {tring}", tring = found.chars().take(60).collect::<String>()),
+            as_written: format!("MAX: {}", found.chars().take(60).collect::<String>()),
         });
     }
     Ok(reading)

@@ -42,7 +42,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             ("#GR", 2) => y_unit = content,
             ("#DATA", _) if !content.is_empty() => {
                 let number = |word: &str| number::parse(word, word.contains(',')).plain_value();
-                rows.add_pair(input, (line, content), number, said!("a wavelength and a value"))?;
+                let expected = said!("a wavelength and a value");
+                rows.add_pair(input, (line, content), number, expected)?;
             }
             _ => {}
         }
@@ -54,10 +55,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let mut notes = Vec::new();
     match WavelengthUnit::of_title(x_unit) {
-        None => notes.push(said!("the file names no unit of its wavelengths: taken as nm").to_owned()),
+        None => {
+            let note = said!("the file names no unit of its wavelengths: taken as nm");
+            notes.push(note.to_owned());
+        }
         Some(WavelengthUnit::Nanometre) => {}
         Some(other) => {
-            notes.push(tr!("wavelengths converted from {word} (#GR)", word = other.word()));
+            notes.push(tr!(
+                "wavelengths converted from {unit} ({reason})",
+                unit = other.word(),
+                reason = "#GR"
+            ));
             nm.iter_mut().for_each(|x| *x = other.to_nm(*x));
         }
     }
@@ -75,7 +83,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         notes.push(said!("a fluorescence spectrum, intensities in arbitrary units").to_owned());
     }
     let kind = match (kind, unit) {
-        (Kind::Light, "") => Decision::guessed(kind, false, said!("#GR names no unit of the values")),
+        (Kind::Light, "") => {
+            Decision::guessed(kind, false, said!("#GR names no unit of the values"))
+        }
         _ => Decision::of_format(kind),
     };
     let mut spectrum = RawSpectrum::known(input.stem(), &nm, values, kind, unit);

@@ -65,7 +65,10 @@ fn doubles(input: &Input, root: Node, name: &str) -> Result<Vec<f64>, ReadError>
         match number::number(text, false) {
             Some(value) => Ok(value),
             None if text.eq_ignore_ascii_case("nan") || text.contains("Infinity") => Ok(f64::NAN),
-            None => Err(input.error_at(xml::line(item), quoted(text), said!("a number in <double>"))),
+            None => {
+                let expected = said!("a number in <double>");
+                Err(input.error_at(xml::line(item), quoted(text), expected))
+            }
         }
     };
     for node in xml::named(root, name).take(100) {
@@ -86,7 +89,8 @@ fn read_spectrum(
 ) -> Result<(), ReadError> {
     let axis = doubles(input, root, "channelWavelengths")?;
     if axis.is_empty() {
-        return Err(input.error(said!("no <channelWavelengths>"), said!("one with a <double> a pixel")));
+        let expected = said!("one with a <double> a pixel");
+        return Err(input.error(said!("no <channelWavelengths>"), expected));
     }
     let mut values = doubles(input, root, "processedPixels")?;
     let mut title = "processed";
@@ -95,7 +99,11 @@ fn read_spectrum(
         title = "counts";
     }
     if values.len() != axis.len() {
-        let found = tr!("{values} pixels for {axis} wavelengths", values = values.len(), axis = axis.len());
+        let found = tr!(
+            "{n} pixels for {wavelengths} wavelengths"
+                | "{n} pixels for {wavelengths} wavelengths" % values.len(),
+            wavelengths = axis.len()
+        );
         return Err(input.error(found, said!("as many pixels as wavelengths")));
     }
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",

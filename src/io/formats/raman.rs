@@ -29,6 +29,7 @@ use crate::io::text::dialect::Dialect;
 use crate::io::text::lines;
 use crate::io::text::words::holds_one;
 use crate::io::{Input, ReadError, Reading};
+use crate::languages::with_sign;
 
 /// Raman text.
 pub(crate) const FORMAT: Format = Format {
@@ -270,7 +271,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
     let by_name = laser_of_name(&input.name);
     let by_name = || Some(Decision::guessed(by_name?, true, said!("the file's name")));
-    let by_header = || Some(Decision::stated(Head::of(text).laser_nm()?, said!("the header")));
+    let by_header = || {
+        Some(Decision::stated(
+            Head::of(text).laser_nm()?,
+            said!("the header"),
+        ))
+    };
     let by_hand = input.choices.laser_nm.map(Decision::chosen);
     let laser = by_hand.or_else(by_header).or_else(by_name).ok_or_else(|| {
         let found = said!("Raman shifts (1/cm) from a laser that is not named");
@@ -282,7 +288,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if seen.len() < text.len() && !tables.is_empty() {
         (tables, notes) = tables_of(text, dialect);
     }
-    let no_shifts = || input.error(said!("no column of Raman shifts"), said!("shifts (1/cm) and values"));
+    let no_shifts = || {
+        input.error(
+            said!("no column of Raman shifts"),
+            said!("shifts (1/cm) and values"),
+        )
+    };
     if tables.is_empty() {
         // The refusal of plain columns is more specific; their reading of shifts is not shown.
         let refusal = (columns::FORMAT.read)(input).err();
@@ -322,15 +333,16 @@ fn add(
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
         return Err(bad.refusal(input));
     }
-    let shifts = tr!("Raman shifts from {value} nm", value = laser.value);
+    let line = with_sign(laser.value.to_string());
+    let shifts = tr!("Raman shifts from {laser} nm", laser = line);
     for column in &values {
         let name = match values.len() {
             1 => stem.to_owned(),
-            _ => tr!("{stem}, column {column}", stem, column = column + 1),
+            _ => format!("{stem}, column {}", column + 1),
         };
         let spectrum = RawSpectrum {
             lines: &block.lines,
-            how: vec![tr!("from Raman shifts of {value} nm", value = laser.value)],
+            how: vec![tr!("from Raman shifts of {laser} nm", laser = line)],
             notes: vec![taken_as(&shifts, &laser.reason)],
             axis: RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone()))),
             ..RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "")

@@ -12,7 +12,6 @@
 //! Films and digital sensors get summaries without a spectrum, refused as such. In the flash modes
 //! the values are W s m-2 nm-1.
 
-use crate::languages::fixed;
 use std::ops::Range;
 
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
@@ -20,6 +19,7 @@ use super::{Confidence, Format};
 use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
+use crate::languages::with_sign;
 
 pub(crate) const FORMAT: Format = Format::new("Sekonic CSV", &["csv"], sniff, read);
 
@@ -76,9 +76,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         for block in all.iter().filter(|b| *b != finest).take(5) {
             let lines = &found.lines()[block.clone()];
             let (points, first, last) = (block.len(), lines[0], lines[block.len() - 1]);
-            let every = tr!("{step} nm", step = fixed(step(block), 4)).replace(".0000 nm", " nm");
-            spectrum.notes.push(tr!("a block of {points} points every {every}, lines {first} to {last}, stands beside \
-                 it and was left out", points, every, first, last));
+            let step = format!("{:.4}", step(block));
+            let step = step.strip_suffix(".0000").unwrap_or(&step);
+            spectrum.notes.push(tr!(
+                "a block of {n} points every {step} nm, lines {first} to {last}, stands beside it \
+                 and was left out"
+                    | "a block of {n} points every {step} nm, lines {first} to {last}, stands \
+                       beside it and was left out"
+                        % points,
+                step = with_sign(step.to_owned()),
+                first,
+                last
+            ));
         }
         if all.len() > 1 {
             spectrum.how.push(said!("the finest block").to_owned());

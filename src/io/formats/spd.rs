@@ -30,7 +30,7 @@ fn pair(line: &str) -> Result<[f64; 2], (String, &'static str)> {
         [nm, value] => Ok([nm, value]),
         [_] => Err((quoted(line), said!("a value after the wavelength"))),
         _ => Err((
-            tr!("{all} numbers", all = all.len()),
+            tr!("{n} numbers" | "{n} numbers" % all.len()),
             said!("a wavelength in nm and one value"),
         )),
     }

@@ -102,7 +102,7 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             let notes = notes.map(|note| Remark::Before(note.to_owned()));
             facts.remarks.extend(notes);
         } else {
-            let note = tr!("comment in the file: {comments}", comments);
+            let note = tr!("comment in the file: {comment}", comment = comments);
             spectrum.notes.push(note);
         }
     }
@@ -126,7 +126,8 @@ fn read_distribution<'a>(
             let found = said!("<SpectralData> with no wavelength");
             input.error_at(line(data), found, "wavelength=\"nm\"")
         })?;
-        nm.push(xml::number(input, data, wavelength, said!("a wavelength in nm"))?);
+        let expected = said!("a wavelength in nm");
+        nm.push(xml::number(input, data, wavelength, expected)?);
         let value = data.text().unwrap_or("");
         values.push(xml::number(
             input,
@@ -158,7 +159,10 @@ fn quantity(stated: &str) -> (Decision<Kind>, String) {
     let by_words = kinds::kind_of_words(stated);
     let kind = by_words.unwrap_or(Kind::Light);
     let stated_words = quoted(stated);
-    let because = tr!("the spectral quantity {stated_words} is none of TM-27's", stated_words);
+    let because = tr!(
+        "the spectral quantity {quantity} is none of TM-27's",
+        quantity = stated_words
+    );
     // Writers put units there too ("W/nm"), which imply as much.
     let kind = Decision::guessed(kind, by_words.is_some(), because);
     (kind, stated.to_owned())

@@ -28,6 +28,7 @@ use crate::io::interpret::raw::Known;
 use crate::io::reading::decision::Decision;
 use crate::io::text::number;
 use crate::io::{Input, ReadError, Reading, budget};
+use crate::languages::said;
 
 /// Spectral OpenEXR.
 pub(crate) const FORMAT: Format = Format {
@@ -120,8 +121,10 @@ fn wavelength_nm(label: &str) -> Option<f64> {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let broken = |why: Option<String>| {
-        let why = why.map_or(String::new(), |why| format!(" ({why})"));
-        let found = tr!("a broken OpenEXR image{why}", why);
+        let found = match why {
+            Some(why) => tr!("a broken OpenEXR image ({why})", why),
+            None => said!("a broken OpenEXR image").to_owned(),
+        };
         input.error(found, said!("one that can be decoded"))
     };
     let file = ExrImage::open(input.bytes).map_err(broken)?;
@@ -131,11 +134,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let largest = file.layers.iter().map(|l| l.block_bytes).max().unwrap_or(0);
     let needed = kept.fold(largest, usize::saturating_add);
     if needed > budget::of(input.bytes.len()) {
-        let found = tr!("an image that takes {in_words} to decode", in_words = budget::in_words(needed));
-        return Err(input.error(found, budget::WORDS));
+        let found = tr!(
+            "an image that takes {size} to decode",
+            size = budget::in_words(needed)
+        );
+        return Err(input.error(found, said(budget::WORDS)));
     }
     if pictures.is_empty() {
-        return Err(input.error(said!("fewer than two spectral channels a layer"), said!("two or more")));
+        let found = said!("fewer than two spectral channels a layer");
+        return Err(input.error(found, said!("two or more")));
     }
     let many = file.layers.len() > 1;
     let mut of_channel: BTreeMap<[usize; 2], (usize, usize)> = BTreeMap::new();
@@ -164,7 +171,8 @@ fn check(input: &Input, layers: &[Layer]) -> Result<(), ReadError> {
             return Err(input.error(said!("a deep OpenEXR image"), said!("a flat one")));
         }
         if layer.channels.iter().any(|channel| !channel.is_full) {
-            return Err(input.error(said!("a channel of fewer samples than pixels"), said!("one a pixel")));
+            let found = said!("a channel of fewer samples than pixels");
+            return Err(input.error(found, said!("one a pixel")));
         }
     }
     let channels = layers.iter().flat_map(|layer| &layer.channels);
@@ -224,7 +232,7 @@ fn pictures_in(layers: &[Layer]) -> Vec<Picture> {
     let mut pictures = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
         for kind in [Kind::Light, Kind::Reflectance] {
-            let (mut reradiated, mut polarised) = (0, 0);
+            let (mut reradiated, mut polarised) = (0_usize, 0_usize);
             let mut bands: Vec<(f64, usize)> = Vec::new();
             for (place, channel) in layer.channels.iter().enumerate() {
                 match (channel_of(&channel.name), kind) {
@@ -242,10 +250,15 @@ fn pictures_in(layers: &[Layer]) -> Vec<Picture> {
             }
             let mut notes = Vec::new();
             if reradiated > 0 {
-                notes.push(tr!("bispectral: {reradiated} channels of fluorescence left out, the diagonal read", reradiated));
+                notes.push(tr!(
+                    "bispectral: {n} channels of fluorescence left out, the diagonal read"
+                        | "bispectral: {n} channels of fluorescence left out, the diagonal read"
+                            % reradiated
+                ));
             }
             if polarised > 0 {
-                notes.push(tr!("{polarised} channels of polarisation left out", polarised));
+                notes.push(tr!("{n} channels of polarisation left out"
+                    | "{n} channels of polarisation left out" % polarised));
             }
             let unit = match kind {
                 Kind::Light => layer.text("emissiveUnits").unwrap_or_default(),
@@ -285,11 +298,11 @@ fn add(
     let cube = Cube::new(width, height, &places, layout, Arc::new(picture.bytes))
         .map_err(|error| input.error(error.to_string(), said!("a whole image")))?;
     let part = match many {
-        true => tr!(", layer {layer}", layer = picture.layer + 1),
+        true => format!(", layer {}", picture.layer + 1),
         false => String::new(),
     };
     let both = match picture.kind == Kind::Reflectance && !reading.images.is_empty() {
-        true => said!(", reflectance"),
+        true => ", reflectance",
         false => "",
     };
     let raw = RawImage {

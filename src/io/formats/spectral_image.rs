@@ -2,7 +2,6 @@
 //! than a picture. Kind and scale are one decision for all pixels, made of the same parts as a
 //! spectrum's.
 
-use crate::languages::fixed;
 use crate::spectrum::cube::Cube;
 use crate::spectrum::{Kind, SpectralImage};
 
@@ -15,6 +14,7 @@ use crate::io::reading::facts::Facts;
 use crate::io::reading::provenance;
 use crate::io::reading::remark::Remark;
 use crate::io::{Choices, Reading, budget};
+use crate::languages::{fixed, said};
 
 /// Images of at most so many pixels are patches: each becomes a spectrum.
 pub(crate) const MOST_PATCHES: usize = 64;
@@ -156,7 +156,19 @@ pub(crate) fn guesses_in_words(decisions: &Decisions, of_kind: Remark) -> Vec<St
 
 /// One line about an image.
 fn line_of(cube: &Cube, kind: Kind) -> String {
-    tr!("image of {width} x {height} pixels, {nm} bands, {nm_2}-{nm_3} nm, {word}, {memory} of memory", width = cube.width(), height = cube.height(), nm = cube.nm().len(), nm_2 = fixed(cube.nm()[0], 1), nm_3 = fixed(cube.nm()[cube.nm().len() - 1], 1), word = kind.word(), memory = budget::in_words(cube.memory()))
+    let nm = cube.nm();
+    tr!(
+        "image of {width} x {height} pixels, {n} bands, {from}-{to} nm, {kind}, {size} of memory"
+            | "image of {width} x {height} pixels, {n} bands, {from}-{to} nm, {kind}, {size} of \
+               memory"
+                % nm.len(),
+        width = cube.width(),
+        height = cube.height(),
+        from = fixed(nm[0], 1),
+        to = fixed(nm[nm.len() - 1], 1),
+        kind = said(kind.word()),
+        size = budget::in_words(cube.memory())
+    )
 }
 
 /// Adds the pixels of an image of patches.

@@ -26,16 +26,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
     let file: SpectrumFile = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
     if file.format != FORMAT_WORD {
-        let found = tr!("\"format\": {quoted}", quoted = quoted(&file.format));
+        let found = format!("\"format\": {}", quoted(&file.format));
         return Err(input.error(found, format!("\"{FORMAT_WORD}\"")));
     }
     if file.version != VERSION {
         let found = tr!("version {version}", version = file.version);
-        return Err(input.error(found, tr!("version {VERSION}", VERSION)));
+        return Err(input.error(found, tr!("version {version}", version = VERSION)));
     }
     let (wavelengths, numbers) = (file.wavelengths_nm.len(), file.values.len());
     if wavelengths != numbers {
-        let found = tr!("{wavelengths} wavelengths and {numbers} values", wavelengths, numbers);
+        let found = tr!(
+            "{wavelengths} wavelengths and {values} values",
+            wavelengths,
+            values = numbers
+        );
         return Err(input.error(found, said!("one value for each wavelength")));
     }
     let kind = Decision::of_format(file.kind);

@@ -56,7 +56,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             let cells = cells.filter(|c| !c.trim().is_empty());
             for cell in cells.take(bands - values.len()) {
                 let Cell::Number(value) = number::parse(cell, false) else {
-                    let expected = tr!("{bands} values, {values} were there", bands, values = values.len());
+                    let expected = tr!(
+                        "{n} values, {count} were there" | "{n} values, {count} were there" % bands,
+                        count = values.len()
+                    );
                     return Err(input.error_at(line, quoted(cell), expected));
                 };
                 values.push(value);
@@ -66,7 +69,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             }
             let step = |band: usize| (last - first) * band as f64 / (bands - 1) as f64;
             let nm: Vec<f64> = (0..bands).map(|band| first + step(band)).collect();
-            let kind = Decision::guessed(Kind::Light, false, said!("spotread does not print the kind"));
+            let because = said!("spotread does not print the kind");
+            let kind = Decision::guessed(Kind::Light, false, because);
             let values = std::mem::take(&mut values);
             let spectrum = RawSpectrum {
                 lines: &[kept_line(at)],

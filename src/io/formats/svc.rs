@@ -53,16 +53,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let cells = row.split(|c: char| c.is_whitespace() || c == ';');
         let number = |cell: &str| number::parse(cell, cell.contains(',')).value();
         let row = numbers(cells, 5, number).map_err(|(before, cell)| {
-            let expected = tr!("a number in column {before}", before = before + 1);
+            let expected = tr!("a number in column {column}", column = before + 1);
             input.error_at(line, quoted(cell), expected)
         })?;
         if !rows.add(line, &row) || !(2..=4).contains(&row.len()) {
-            return Err(input.error_at(line, tr!("{row} numbers", row = row.len()), expected));
+            let found = tr!("{n} numbers" | "{n} numbers" % row.len());
+            return Err(input.error_at(line, found, expected));
         }
     }
     if rows.lines.is_empty() {
         let found = said!("a Spectra Vista header and no rows behind \"data=\"");
-        return Err(input.error(found, tr!("{expected} in each row", expected)));
+        let expected = said!("a wavelength, reference, target and reflectance in each row");
+        return Err(input.error(found, expected));
     }
     let width = rows.columns.len();
     let name = name.rsplit(['/', '\\']).next().unwrap_or("");
@@ -97,7 +99,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         };
         let spectrum = RawSpectrum {
             lines: &rows.lines,
-            notes: vec![tr!("the {role}, in the file's units \"{word}\"", role, word)],
+            notes: vec![match role {
+                "reference" => tr!("the reference, in the file's units \"{unit}\"", unit = word),
+                _ => tr!("the target, in the file's units \"{unit}\"", unit = word),
+            }],
             ..RawSpectrum::light(called, &nm, values, unit)
         };
         interpret(spectrum, input, &mut reading)?;

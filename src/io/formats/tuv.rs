@@ -61,7 +61,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .map_err(|(_, word)| input.error_at(line, quoted(word), said!("a number")))?;
         if !rows.add(line, &row) || row.len() < 3 {
             let expected = said!("the band's ends and a value for each title");
-            return Err(input.error_at(line, tr!("{row} numbers", row = row.len()), expected));
+            let found = tr!("{n} numbers" | "{n} numbers" % row.len());
+            return Err(input.error_at(line, found, expected));
         }
     }
     if rows.lines.is_empty() {
@@ -73,7 +74,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut columns: Vec<(String, usize)> = (2..rows.columns.len())
         .map(|column| match titles.get(column - 2) {
             Some(title) => (title.to_lowercase(), column),
-            None => (tr!("column {column}", column = column + 1), column),
+            None => (format!("column {}", column + 1), column),
         })
         .collect();
     columns.sort_by_key(|(title, _)| !title.to_uppercase().contains("TOTAL"));

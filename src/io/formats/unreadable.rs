@@ -3,14 +3,17 @@
 use super::{Confidence, Format};
 use crate::io::decode::archive::names;
 use crate::io::{Input, ReadError, Reading};
+use crate::languages::said;
 
 /// Recognises files of other kinds so that they are refused in plain words.
-pub(crate) const FORMAT: Format = Format::new(later!("a format that is not read"), &[], sniff, read);
+pub(crate) const FORMAT: Format =
+    Format::new(later!("a format that is not read"), &[], sniff, read);
 
 /// Expectations in refusals: ways to obtain a readable file.
 const AS_CSV: &str = later!("a format that is read; save it as CSV or text first");
-const FROM_MAKER: &str =
-    later!("a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it");
+const FROM_MAKER: &str = later!(
+    "a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it"
+);
 const WITH_HEADER: &str = later!("a header .hdr of the same name beside it");
 const A_SPECTRUM: &str = later!("a file with a spectrum");
 
@@ -28,14 +31,26 @@ const MAGIC: [(&[u8], &str, &str); 12] = [
     (b"MM\0*", later!("a TIFF image"), A_SPECTRUM),
     (b"GIF8", later!("a GIF image"), A_SPECTRUM),
     (b"\x89HDF\r\n\x1a\n", later!("an HDF5 file"), AS_CSV),
-    (b"\n\n\xfe\xfe", later!("a Bruker OPUS binary spectrum"), FROM_MAKER),
+    (
+        b"\n\n\xfe\xfe",
+        later!("a Bruker OPUS binary spectrum"),
+        FROM_MAKER,
+    ),
     (
         b"AVS8",
         later!("an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)"),
         FROM_MAKER,
     ),
-    (b"PEPE", later!("a PerkinElmer binary spectrum (.sp)"), FROM_MAKER),
-    (b"\x1f\x8b", later!("a gzip archive"), later!("the file inside it")),
+    (
+        b"PEPE",
+        later!("a PerkinElmer binary spectrum (.sp)"),
+        FROM_MAKER,
+    ),
+    (
+        b"\x1f\x8b",
+        later!("a gzip archive"),
+        later!("the file inside it"),
+    ),
 ];
 
 fn sniff(input: &Input) -> Confidence {
@@ -43,8 +58,8 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let (found, expected) = known(input).unwrap_or((said!("binary data"), A_SPECTRUM));
-    Err(input.error(found, expected))
+    let (found, expected) = known(input).unwrap_or((later!("binary data"), A_SPECTRUM));
+    Err(input.error(said(found), said(expected)))
 }
 
 /// The type of the file, and the input expected instead.
@@ -59,11 +74,11 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
     let bytes = input.bytes;
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
         return Some(if names(bytes, "opendocument.spreadsheet") {
-            (said!("an OpenDocument table (.ods)"), AS_CSV)
+            (later!("an OpenDocument table (.ods)"), AS_CSV)
         } else if names(bytes, "word/document.xml") {
-            (said!("a Word document"), AS_CSV)
+            (later!("a Word document"), AS_CSV)
         } else {
-            (said!("a zip archive"), said!("the file inside it"))
+            (later!("a zip archive"), later!("the file inside it"))
         });
     }
     let magic = MAGIC.iter().find(|(magic, ..)| bytes.starts_with(magic));
@@ -71,9 +86,9 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
         return Some((found, expected));
     }
     if is_asd(bytes) {
-        return Some((said!("an ASD binary spectrum (.asd)"), FROM_MAKER));
+        return Some((later!("an ASD binary spectrum (.asd)"), FROM_MAKER));
     }
-    is_galactic(input).then_some((said!("a Galactic .spc spectrum"), FROM_MAKER))
+    is_galactic(input).then_some((later!("a Galactic .spc spectrum"), FROM_MAKER))
 }
 
 /// ASD's files begin with the version of their layout, "ASD" at first, later "as2" to "as8", and
@@ -93,9 +108,9 @@ fn is_galactic(input: &Input) -> bool {
 fn known_binary(input: &Input) -> (&'static str, &'static str) {
     let envi = ["sli", "esl", "bil", "bip", "bsq", "img"];
     if envi.iter().any(|e| input.has_extension(e)) {
-        (said!("ENVI data without their header"), WITH_HEADER)
+        (later!("ENVI data without their header"), WITH_HEADER)
     } else {
-        (said!("binary data of no kind known here"), A_SPECTRUM)
+        (later!("binary data of no kind known here"), A_SPECTRUM)
     }
 }
 
@@ -106,16 +121,16 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     let starts = |words: &[&str]| words.iter().any(|word| lower.starts_with(word));
     let spdx = ["SPDXVersion", "spdxVersion", "spdx.org/rdf"];
     if spdx.iter().any(|word| head.contains(word)) {
-        let expected = said!("an IES TM-27 .spdx spectrum");
-        Some((said!("an SPDX software licence document"), expected))
+        let expected = later!("an IES TM-27 .spdx spectrum");
+        Some((later!("an SPDX software licence document"), expected))
     } else if starts(&["<!doctype html", "<html", "<br"]) {
-        Some((said!("a web page (HTML)"), A_SPECTRUM))
+        Some((later!("a web page (HTML)"), A_SPECTRUM))
     } else if starts(&["<svg"]) || lower.contains("<svg ") && starts(&["<?xml"]) {
-        Some((said!("an SVG drawing"), A_SPECTRUM))
+        Some((later!("an SVG drawing"), A_SPECTRUM))
     } else if first.trim_start_matches('"').starts_with("TOA5") {
-        Some((said!("a data logger's table over time (TOA5)"), A_SPECTRUM))
+        Some((later!("a data logger's table over time (TOA5)"), A_SPECTRUM))
     } else if first.starts_with("{\\rtf") {
-        Some((said!("a rich text document (.rtf)"), AS_CSV))
+        Some((later!("a rich text document (.rtf)"), AS_CSV))
     } else {
         None
     }

@@ -20,6 +20,7 @@ use crate::io::interpret::{RawSpectrum, value_unit::PHOTONS};
 use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::{lines, number};
 use crate::io::{Input, MakersResult, Quantity, ReadError, Reading};
+use crate::languages::{said, translated, with_sign};
 
 pub(crate) const FORMAT: Format = Format::new(
     "UPRtek",
@@ -28,12 +29,15 @@ pub(crate) const FORMAT: Format = Format::new(
     |input| read(input, "UPRtek's"),
 );
 
+/// The maker of [`LI_180`] in words.
+const LICORS: &str = "the LI-180's";
+
 /// LI-COR's meter, which is built from UPRtek's and writes the same.
 pub(crate) const LI_180: Format = Format::new(
     "LI-COR LI-180",
     &["txt", "xls"],
     |input| Confidence::certain_if(is_li180(input) && is_meter(input)),
-    |input| read(input, "the LI-180's"),
+    |input| read(input, LICORS),
 );
 
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
@@ -70,8 +74,11 @@ fn is_li180(input: &Input) -> bool {
 /// [`ReadError`] for a file without points, or with a word for a value.
 fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let none = tr!("{makers} results and no spectrum", makers);
-    let none = [&*none, said!("lines such as \"380nm\", TAB and a value")];
+    let none = match makers {
+        LICORS => said!("the LI-180's results and no spectrum"),
+        _ => said!("UPRtek's results and no spectrum"),
+    };
+    let none = [none, said!("lines such as \"380nm\", TAB and a value")];
     let found = KeyedLines::of_meter(input, text, none)?;
     let nm = found.nm();
     reading_of(input, &found, 0..nm.len(), |column, values, results| {
@@ -79,7 +86,10 @@ fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
         let peak = peak.and_then(|value| number::number(value, false));
         let (unit, because) = match peak {
             Some(peak) if is_over_its_peak(&values, peak) => {
-                let because = tr!("values over the largest, which is {peak} by the maker", peak);
+                let because = tr!(
+                    "values over the largest, which is {peak} by the maker",
+                    peak = with_sign(peak.to_string())
+                );
                 ("", because)
             }
             _ => unit(nm, &values, results, makers),
@@ -93,7 +103,7 @@ fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
         let mut spectrum = RawSpectrum::light(name, nm, values, unit);
         spectrum.notes.push(because);
         if unit == PHOTONS {
-            spectrum.notes.push(PHOTON_NOTE.to_owned());
+            spectrum.notes.push(said(PHOTON_NOTE).to_owned());
         }
         if let Some(model) = found.get("model name") {
             spectrum.notes.push(tr!("measured with a {model}", model));
@@ -137,12 +147,29 @@ fn unit(
         if let Some(stated) = stated
             && (total - stated).abs() <= SAME_TOTAL * stated
         {
-            let counted = if unit == PHOTONS { "photons" } else { unit };
-            let of = quantity.usual_unit();
-            let total = tr!("the total is the maker's {quantity} of {stated} {of}", quantity, stated, of);
-            return (unit, tr!("counted in {counted}: {total}", counted, total));
+            let (of, name) = (quantity.usual_unit(), quantity.to_string());
+            let number = with_sign(stated.to_string());
+            let because = match unit {
+                PHOTONS => tr!(
+                    "counted in photons: the total is the maker's {quantity} of {number} {unit}",
+                    quantity = translated(&name),
+                    number,
+                    unit = of
+                ),
+                _ => tr!(
+                    "counted in {counted}: the total is the maker's {quantity} of {number} {unit}",
+                    counted = unit,
+                    quantity = translated(&name),
+                    number,
+                    unit = of
+                ),
+            };
+            return (unit, because);
         }
     }
-    let because = tr!("mW m-2 nm-1 is {makers} unit; the file states none", makers);
-    ("mW m-2 nm-1", because)
+    let because = match makers {
+        LICORS => said!("mW m-2 nm-1 is the LI-180's unit; the file states none"),
+        _ => said!("mW m-2 nm-1 is UPRtek's unit; the file states none"),
+    };
+    ("mW m-2 nm-1", because.to_owned())
 }

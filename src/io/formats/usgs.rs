@@ -110,7 +110,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let first = lower.split_whitespace().next().unwrap_or("");
     let of_axis = ["wavelength", "bandpass", "wavenumber"];
     if of_axis.iter().any(|word| first.starts_with(word)) {
-        let found = tr!("a list of the library's {first}", first);
+        let found = tr!("a list of the library's {what}", what = first);
         let expected = said!("the spectrum that it belongs to; it is read from beside");
         return Err(input.error(found, expected));
     }
@@ -121,14 +121,33 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         Some((file, nm)) => (nm, tr!("wavelengths from {file}", file)),
         None if channels == ASD_CHANNELS && asd => (
             (0..channels).map(|i| 350.0 + i as f64).collect(),
-            tr!("no wavelengths beside; {channels} channels of an ASD are 350 to 2500 nm every nanometre", channels),
+            tr!(
+                "no wavelengths beside; {n} channels of an ASD are 350 to 2500 nm every nanometre"
+                    | "no wavelengths beside; {n} channels of an ASD are 350 to 2500 nm every \
+                       nanometre"
+                        % channels
+            ),
         ),
         None => {
-            let word = spectrometer(title).unwrap_or(said!("the spectrometer"));
-            let found = tr!("{channels} lines of one number each and no wavelengths beside", channels);
-            let file = word.replace("the spectrometer", "");
-            let expected = tr!("the library's file of wavelengths of {word} in the same folder \
-                 (splib07a_Wavelengths_{file}..._{channels}_ch.txt)", word, file, channels);
+            let found = tr!("{n} lines of one number each and no wavelengths beside"
+                | "{n} lines of one number each and no wavelengths beside" % channels);
+            let word = spectrometer(title);
+            let file = format!(
+                "splib07a_Wavelengths_{}..._{channels}_ch.txt",
+                word.unwrap_or("")
+            );
+            let expected = match word {
+                Some(instrument) => tr!(
+                    "the library's file of wavelengths of {instrument} in the same folder ({file})",
+                    instrument,
+                    file
+                ),
+                None => tr!(
+                    "the library's file of wavelengths of the spectrometer in the same folder \
+                     ({file})",
+                    file
+                ),
+            };
             return Err(input.error(found, expected));
         }
     };

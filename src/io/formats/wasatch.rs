@@ -52,7 +52,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut keys = ["Processed", "processed", "Raw", "raw"].into_iter();
     let (which, list) = keys.find_map(list).ok_or_else(|| {
         let expected = said!("\"spectrum\": {\"Processed\": [...]}");
-        input.error(said!("ENLIGHTEN JSON without a processed spectrum"), expected)
+        input.error(
+            said!("ENLIGHTEN JSON without a processed spectrum"),
+            expected,
+        )
     })?;
     let values = numbers(input, list, which)?;
     let mut notes = Vec::new();
@@ -76,7 +79,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let start = start.filter(|start| *start <= left && left > 0);
     let nm = &nm[start.unwrap_or(0)..];
     if nm.len() != values.len() {
-        let found = tr!("{nm} wavelengths and {values} values", nm = nm.len(), values = values.len());
+        let found = tr!(
+            "{wavelengths} wavelengths and {values} values",
+            wavelengths = nm.len(),
+            values = values.len()
+        );
         return Err(input.error(found, said!("as many of each")));
     }
     let technique = word(&value, "/metadata/Technique").unwrap_or("");

@@ -18,8 +18,10 @@ use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number::{self, Cell as Number};
 use crate::io::{Choices, Input, ReadError, Reading, budget};
+use crate::languages::said;
 
-pub(crate) const FORMAT: Format = Format::new(later!("Excel workbook"), &["xlsx", "xlsm"], sniff, read);
+pub(crate) const FORMAT: Format =
+    Format::new(later!("Excel workbook"), &["xlsx", "xlsm"], sniff, read);
 
 /// Shares of the memory that parts of the archive ([`part_of`]) may unpack to, by their memory once
 /// the workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
@@ -129,16 +131,26 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     if reading.spectra.is_empty() {
-        let nothing = || input.error(said!("a workbook without cells"), said!("a sheet with a table"));
+        let nothing = || {
+            input.error(
+                said!("a workbook without cells"),
+                said!("a sheet with a table"),
+            )
+        };
         let first = refusals.into_iter().next().map(|(_, why)| why);
         return Err(first.unwrap_or_else(nothing));
     }
     let hidden = hidden.iter().take(MOST_NOTED);
-    let unread = |title| tr!("sheet {title} is hidden and was not read", title);
+    let unread = |title: &String| tr!("sheet {title} is hidden and was not read", title);
     reading.notes.extend(hidden.map(unread));
     let refusals = refusals.iter().take(MOST_NOTED);
-    let left_out =
-        |(title, why): &(_, ReadError)| tr!("sheet {title} left out: found {found}", title, found = why.found);
+    let left_out = |(title, why): &(_, ReadError)| {
+        tr!(
+            "sheet {title} left out: found {found}",
+            title,
+            found = why.found
+        )
+    };
     reading.notes.extend(refusals.map(left_out));
     Ok(reading)
 }
@@ -152,7 +164,12 @@ type Sheets = (Vec<(String, Sheet)>, Vec<String>);
 
 fn sheets(input: &Input) -> Result<Sheets, ReadError> {
     let broken = |error: calamine::XlsxError| broken(input, &error.to_string());
-    let too_many = || input.error(said!("far more cells than its size allows"), budget::WORDS);
+    let too_many = || {
+        input.error(
+            said!("far more cells than its size allows"),
+            said(budget::WORDS),
+        )
+    };
     let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
     let mut left = budget::of(input.bytes.len()) / 2;
     let mut sheets = Vec::new();
@@ -202,7 +219,12 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
     numbers.retain(|_, count| *count >= FEWEST_NUMBERS);
     let places: BTreeMap<u32, usize> = numbers.into_keys().zip(0..).collect();
     let most = budget::of(input.bytes.len()) / 8;
-    let far = || input.error(said!("a sheet far larger than its file"), budget::WORDS);
+    let far = || {
+        input.error(
+            said!("a sheet far larger than its file"),
+            said(budget::WORDS),
+        )
+    };
     let (mut text, mut aside) = (String::new(), Vec::new());
     let (mut row, mut place) = (0, 0);
     for ((cell_row, column), cell) in sheet {
@@ -231,7 +253,8 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
     text.push('\n');
     let commas = sheet.values().filter(|cell| cell.had_comma).count();
     if commas > 0 {
-        aside.push(tr!("numbers typed as text with a decimal comma: {commas} cells", commas));
+        aside.push(tr!("numbers typed as text with a decimal comma: {n} cells"
+            | "numbers typed as text with a decimal comma: {n} cells" % commas));
     }
     Ok((text, aside))
 }

@@ -89,7 +89,7 @@ pub(crate) fn clean_within(
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
     let is_point = |w: f64, v: f64| w != 0.0 && is_measured(w) && is_measured(v);
-    let mut zeros = 0;
+    let mut zeros = 0_usize;
     for (index, (w, v)) in nm.iter().zip(values).enumerate() {
         zeros += usize::from(*w == 0.0);
         if is_point(*w, *v) {

@@ -103,29 +103,28 @@ pub(crate) fn counted(
         return Decision::stated(Counted::Percent, said!("per cent signs"));
     }
     // Many a title keeps its per cent sign over fractions.
-    let high = largest(values);
-    let or_fractions = |stated: &str, doubted: String| match high <= MOST_DOUBTFUL {
-        true => Decision::guessed(Counted::Percent, false, doubted),
-        false => Decision::stated(Counted::Percent, stated),
+    let or_fractions = |stated: &str, doubted: fn(f64) -> String| match largest(values) {
+        high if high <= MOST_DOUBTFUL => Decision::guessed(Counted::Percent, false, doubted(high)),
+        _ => Decision::stated(Counted::Percent, stated),
     };
     if is_percent_title(&title) {
-        let doubted = tr!(
-            "the column's title, but no value exceeds {high}: they may be fractions",
-            high = fixed(high, 3)
-        );
-        return or_fractions(said!("the column's title"), doubted);
+        return or_fractions(said!("the column's title"), |high| {
+            tr!(
+                "the column's title, but no value exceeds {high}: they may be fractions",
+                high = fixed(high, 3)
+            )
+        });
     }
     if holds_one(title.trim(), "[1.0];fraction;^tfr$;^rfr$") {
         return of_title(Counted::Fraction);
     }
     match header {
-        Some(true) => {
-            let doubted = tr!(
+        Some(true) => or_fractions(said!("the header"), |high| {
+            tr!(
                 "the header, but no value exceeds {high}: they may be fractions",
                 high = fixed(high, 3)
-            );
-            or_fractions(said!("the header"), doubted)
-        }
+            )
+        }),
         Some(false) => Decision::stated(Counted::Fraction, said!("the header")),
         None => by_size(values),
     }

@@ -161,7 +161,7 @@ fn check_size(size: [usize; 2], bytes: usize, most_pixels_a_byte: usize) -> Resu
     }
     if pixels > bytes.saturating_mul(most_pixels_a_byte) {
         let found = tr!(
-            "{size} in {n} byte" | "{size} in {n} bytes" % bytes,
+            "{size} in {n} bytes" | "{size} in {n} bytes" % bytes,
             size = found
         );
         let expected = said!("a file that holds as many pixels as its header says");

@@ -97,7 +97,7 @@ pub(crate) fn too_sparse(input: &Input, of: &str, line: usize) -> ReadError {
 /// The refusal of a column of wavelengths, from 0, that a table of `width` does not have.
 pub(crate) fn no_such_column(input: &Input, width: usize, column: usize) -> ReadError {
     input.error(
-        tr!("a table of {n} column" | "a table of {n} columns" % width),
+        tr!("a table of {n} columns" | "a table of {n} columns" % width),
         tr!(
             "wavelengths in column {column}, as chosen",
             column = column + 1

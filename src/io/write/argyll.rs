@@ -9,6 +9,7 @@ use std::fmt::Write;
 
 use super::csv::quoted_where;
 use crate::io::provenance::{ORIGINATOR, Provenance, one_line, shortest};
+use crate::languages::{Language, in_language, with_sign};
 use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
 /// Most bands that Argyll's own tools read.
@@ -43,22 +44,26 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
     let (least, most) = (LABELS_NM.start(), LABELS_NM.end());
     let (from, to) = (shortest(first), shortest(last));
-    let refused = |found: String, expected: String| {
-        Err(format!("found {found}, expected {expected} in Argyll .sp"))
-    };
+    let [from, to] = [from, to].map(with_sign);
     if first < *least {
-        return refused(
-            format!("wavelengths from {from} nm"),
-            format!("at least {least} nm"),
-        );
+        return Err(tr!(
+            "found wavelengths from {from} nm, expected at least {least} nm in Argyll .sp",
+            from,
+            least
+        ));
     }
     if last > *most {
-        return refused(
-            format!("wavelengths up to {to} nm"),
-            format!("at most {most} nm"),
-        );
+        return Err(tr!(
+            "found wavelengths up to {to} nm, expected at most {most} nm in Argyll .sp",
+            to,
+            most
+        ));
     }
-    let too_short = format!("a spectrum of {from} to {to} nm");
+    let too_short = tr!(
+        "found a spectrum of {from} to {to} nm, expected at least 3 whole nm in Argyll .sp",
+        from,
+        to
+    );
     let mut even = Grid {
         first_nm: first,
         last_nm: last,
@@ -87,7 +92,7 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let steps = round[1]((to - from) / step);
     let bands = steps.max(0.0) as usize + 1;
     if bands < 3 {
-        return refused(too_short, "at least 3 whole nm".to_owned());
+        return Err(too_short);
     }
     Ok(Grid {
         first_nm: from,
@@ -104,23 +109,26 @@ pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     };
     let mut notes = Vec::new();
     match grid.moved_nm {
-        None => notes.push(format!(
-            "Argyll .sp holds even steps of 1 nm and more: resampled to {} values, {} to {} nm \
-             every {} nm; the area under the curve is kept.",
-            grid.bands,
-            grid.first_nm,
-            grid.last_nm,
-            grid.nm(1) - grid.first_nm
+        None => notes.push(tr!(
+            "Argyll .sp holds even steps of 1 nm and more: resampled to {n} values, {from} to {to} \
+             nm every {step} nm; the area under the curve is kept."
+                | "Argyll .sp holds even steps of 1 nm and more: resampled to {n} values, {from} to \
+                   {to} nm every {step} nm; the area under the curve is kept." % grid.bands,
+            from = with_sign(grid.first_nm.to_string()),
+            to = with_sign(grid.last_nm.to_string()),
+            step = with_sign((grid.nm(1) - grid.first_nm).to_string())
         )),
-        Some(moved) if moved > 1e-9 => notes.push(format!(
-            "Argyll .sp holds even steps: wavelengths moved by up to {moved:.1e} nm."
+        Some(moved) if moved > 1e-9 => notes.push(tr!(
+            "Argyll .sp holds even steps: wavelengths moved by up to {moved} nm.",
+            moved = with_sign(format!("{moved:.1e}"))
         )),
         Some(_) => {}
     }
     if grid.bands > ARGYLL_BANDS {
-        notes.push(format!(
-            "It has {} values; Argyll's own tools read at most {ARGYLL_BANDS}.",
-            grid.bands
+        notes.push(tr!(
+            "It has {n} values; Argyll's own tools read at most {most}."
+                | "It has {n} values; Argyll's own tools read at most {most}." % grid.bands,
+            most = ARGYLL_BANDS
         ));
     }
     notes
@@ -173,7 +181,8 @@ pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result
             keyword(&key.to_uppercase(), &value);
         }
     }
-    for loss in losses(spectrum) {
+    // The file speaks English, whatever the window does.
+    for loss in in_language(Language::English, || losses(spectrum)) {
         keyword("NOTE", &loss);
     }
     keyword("SPECTRAL_BANDS", &grid.bands.to_string());

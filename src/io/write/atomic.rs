@@ -167,24 +167,33 @@ fn words(path: &Path, error: &Error) -> String {
     let folder = folder_of(path);
     let folder = folder.display();
     match error.kind() {
-        ErrorKind::NotFound => format!("found no folder {folder}, expected one that exists"),
-        ErrorKind::NotADirectory => format!("found a file at {folder}, expected a folder"),
-        ErrorKind::IsADirectory => "found a folder of this name, expected a file name".to_owned(),
+        ErrorKind::NotFound => tr!("found no folder {folder}, expected one that exists", folder),
+        ErrorKind::NotADirectory => tr!("found a file at {folder}, expected a folder", folder),
+        ErrorKind::IsADirectory => {
+            said!("found a folder of this name, expected a file name").to_owned()
+        }
         ErrorKind::PermissionDenied => {
-            format!("found {folder} or the file read-only, expected permission to write there")
+            tr!(
+                "found {folder} or the file read-only, expected permission to write there",
+                folder
+            )
         }
         ErrorKind::ReadOnlyFilesystem => {
-            format!("found a read-only disk at {folder}, expected one to write to")
+            tr!(
+                "found a read-only disk at {folder}, expected one to write to",
+                folder
+            )
         }
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            format!(
-                "found the disk full at {folder}, expected room for the file; nothing was changed"
+            tr!(
+                "found the disk full at {folder}, expected room for the file; nothing was changed",
+                folder
             )
         }
         ErrorKind::InvalidFilename => {
-            "found a file name this disk does not take, expected a shorter or plainer one"
+            said!("found a file name this disk does not take, expected a shorter or plainer one")
                 .to_owned()
         }
-        _ => format!("could not be saved in {folder}: {error}"),
+        _ => tr!("could not be saved in {folder}: {why}", folder, why = error),
     }
 }

@@ -25,7 +25,7 @@ use atomic::save_atomically;
 /// Extensions that [`write_as`] knows, with the format's name for file dialogues.
 pub const WRITABLE: [(&str, &str); 5] = [
     ("csv", "CSV"),
-    ("json", "spectrum JSON"),
+    ("json", later!("spectrum JSON")),
     ("sp", "Argyll .sp"),
     ("spd", "pbrt .spd"),
     ("spdx", "IES TM-27 .spdx"),
@@ -51,11 +51,14 @@ pub fn encode(
         other => {
             let known = WRITABLE.map(|(extension, _)| format!(".{extension}"));
             let known = known.join(", ");
-            let found = match other {
-                "" => "no extension".to_owned(),
-                other => format!("extension .{}", one_line(other)),
-            };
-            Err(format!("found {found}, expected one of {known}"))
+            Err(match other {
+                "" => tr!("found no extension, expected one of {known}", known),
+                other => tr!(
+                    "found extension .{extension}, expected one of {known}",
+                    extension = one_line(other),
+                    known
+                ),
+            })
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::io::provenance::{Provenance, shortest};
+use crate::languages::said;
 use crate::spectrum::{Kind, NamedSpectrum};
 
 /// The spectral quantities of TM-27 with kind and unit.
@@ -40,11 +41,13 @@ fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {
 pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     let NamedSpectrum { kind, unit, .. } = spectrum;
     match quantity_of(spectrum) {
-        "other" => vec![format!(
-            "TM-27 has no word for {kind} values: written as other."
+        "other" => vec![tr!(
+            "TM-27 has no word for {kind} values: written as other.",
+            kind = said(kind.word())
         )],
-        "relative" if !unit.is_empty() && unit != "relative" => vec![format!(
-            "TM-27 has no word for the unit {unit}: written as relative, the unit in the comments."
+        "relative" if !unit.is_empty() && unit != "relative" => vec![tr!(
+            "TM-27 has no word for the unit {unit}: written as relative, the unit in the comments.",
+            unit
         )],
         _ => Vec::new(),
     }

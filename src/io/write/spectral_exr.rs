@@ -7,11 +7,13 @@
 
 use super::exr;
 
+use crate::languages::said;
+
 /// Planes at wavelengths (nm), each row after row from the top.
 type Planes = Vec<(f64, Vec<f32>)>;
 
 /// The message about planes that are not one value a pixel each, a plane a band.
-const UNEQUAL: &str = "found planes of another size, expected one value a pixel and band";
+const UNEQUAL: &str = later!("found planes of another size, expected one value a pixel and band");
 
 /// A picture of reflectances, a plane for each band (nm). `facts` become attributes (`made.light`
 /// for "light").
@@ -25,7 +27,7 @@ pub fn reflectance_exr(
     facts: &[(&str, String)],
 ) -> Result<Vec<u8>, String> {
     if planes.len() != bands_nm.len() {
-        return Err(UNEQUAL.to_owned());
+        return Err(said(UNEQUAL).to_owned());
     }
     let bands = bands_nm.iter().copied().zip(planes).collect();
     let texts = [("spectralLayoutVersion", "1.0")];
@@ -68,7 +70,7 @@ fn spectral(
         .iter()
         .any(|(_, plane)| plane.len() != size[0] * size[1])
     {
-        return Err(UNEQUAL.to_owned());
+        return Err(said(UNEQUAL).to_owned());
     }
     let texts = texts
         .iter()
@@ -78,5 +80,5 @@ fn spectral(
         .iter()
         .map(|(key, fact)| (format!("made.{key}"), fact.clone()));
     exr::image(size, channels, texts.chain(facts))
-        .map_err(|why| format!("found {why}, expected to write OpenEXR"))
+        .map_err(|why| tr!("found {why}, expected to write OpenEXR", why))
 }

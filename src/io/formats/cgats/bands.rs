@@ -1,9 +1,9 @@
 //! The columns of a CGATS table that form a spectrum, and their wavelengths.
 
-use crate::languages::fixed;
 use std::collections::HashMap;
 
 use crate::io::write::argyll::LABELS_NM;
+use crate::languages::{fixed, with_sign};
 
 /// Most kinds of columns considered, distinguished by the common part of their labels.
 const MOST_GROUPS: usize = 1000;
@@ -107,11 +107,21 @@ pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Optio
     let [Some(bands), Some(start), Some(end)] = stated else {
         return of_labels(None);
     };
-    let header = tr!("SPECTRAL_BANDS {bands} from {start} to {end} nm", bands, start, end);
+    let header = [bands, start, end].map(|number| with_sign(number.to_string()));
+    let [stated, from, to] = &header;
     let (count, first, last) = (labels.len(), labels[0], labels[labels.len() - 1]);
-    let columns = tr!("{count} columns from {first} to {last} nm", count, first, last);
+    let [low, high] = [first, last].map(|nm| with_sign(nm.to_string()));
     if bands != count as f64 || count < 2 {
-        return of_labels(Some(tr!("the header says {header} and there are {columns}: the columns are believed", header, columns)));
+        return of_labels(Some(tr!(
+            "the header says SPECTRAL_BANDS {bands} from {from} to {to} nm and there are {columns} \
+             columns from {low} to {high} nm: the columns are believed",
+            bands = stated,
+            from,
+            to,
+            columns = count,
+            low,
+            high
+        )));
     }
     let step = (end - start) / (bands - 1.0);
     let even: Vec<f64> = (0..count).map(|i| start + step * i as f64).collect();
@@ -120,12 +130,27 @@ pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Optio
     // Labels with decimals are rounded much finer.
     let are_whole = labels.iter().all(|nm| nm.fract() == 0.0);
     if largest > if are_whole { ROUNDED_NM } else { 0.06 } {
-        return of_labels(Some(tr!("the header says {header} and the labels are {columns}: the labels are believed", header, columns)));
+        return of_labels(Some(tr!(
+            "the header says SPECTRAL_BANDS {bands} from {from} to {to} nm and the labels are \
+             {columns} columns from {low} to {high} nm: the labels are believed",
+            bands = stated,
+            from,
+            to,
+            columns = count,
+            low,
+            high
+        )));
     }
     if largest <= 1e-9 {
         return of_labels(None);
     }
-    let note =
-        tr!("labels are rounded, by up to {largest} nm: the header's {header} is believed", largest = fixed(largest, 3), header);
+    let note = tr!(
+        "labels are rounded, by up to {largest} nm: the header's SPECTRAL_BANDS {bands} from \
+             {from} to {to} nm is believed",
+        largest = fixed(largest, 3),
+        bands = stated,
+        from,
+        to
+    );
     (even, Some(note))
 }

@@ -32,6 +32,7 @@ use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::{Input, ReadError, Reading};
+use crate::languages::with_sign;
 use bands::{Bands, GRID, grid};
 use quantity::quantity;
 use tables::CgatsTable;
@@ -65,7 +66,7 @@ fn sniff(input: &Input) -> Confidence {
 fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
     match table.names.get(set).copied().unwrap_or("") {
         word if word.contains(char::is_alphabetic) => word.to_owned(),
-        "" if several => tr!("{stem}, set {set}", stem = input.stem(), set = set + 1),
+        "" if several => format!("{}, set {}", input.stem(), set + 1),
         "" if table.is_own() => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
         number if several => format!("{}, {number}", input.stem()),
         _ => input.stem().to_owned(),
@@ -81,7 +82,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for (index, table) in tables.iter().enumerate() {
         let groups = &table.fields.bands;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
-            let found = tr!("more than {MOST_SPECTRA} spectra", MOST_SPECTRA);
+            let found = tr!("more than {most} spectra", most = MOST_SPECTRA);
             return Err(input.error(found, said!("a smaller file")));
         }
         for group in groups {
@@ -89,7 +90,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
         reading.notes.extend(table.notes.iter().cloned());
         if several_tables && has_spectra(&table) {
-            let note = tr!("table {index}: {sets} sets", index = index + 1, sets = table.sets());
+            let note = tr!(
+                "table {table}: {n} sets" | "table {table}: {n} sets" % table.sets(),
+                table = index + 1
+            );
             reading.notes.push(note);
         }
     }
@@ -118,10 +122,14 @@ fn norm_in_words(norm: Option<f64>, kind: Kind) -> (Option<String>, Option<Strin
     let Some(norm) = norm.filter(|norm| *norm != 1.0) else {
         return (None, None);
     };
-    let divided = tr!("divided by SPECTRAL_NORM {norm}", norm);
+    let number = with_sign(norm.to_string());
+    let divided = tr!("divided by SPECTRAL_NORM {norm}", norm = number);
     match () {
         () if !SENSIBLE_NORMS.contains(&norm) => {
-            let note = tr!("SPECTRAL_NORM {norm} makes no sense and was passed over", norm);
+            let note = tr!(
+                "SPECTRAL_NORM {norm} makes no sense and was passed over",
+                norm = number
+            );
             (None, Some(note))
         }
         () if kind.is_factor() && norm == 100.0 => (None, Some(divided)),
@@ -182,7 +190,7 @@ fn read_group(
 
 /// The refusal of a file without spectra.
 fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
-    const EXPECTED: &str = later!("columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380");
+    let expected = said!("columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380");
     let measured = tables.iter().find(|t| t.kind != "CAL");
     let table = measured.or(tables.first());
     let first = || input.head().split_whitespace().next().unwrap_or("");
@@ -193,7 +201,7 @@ fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
         _ => said!("a CGATS table"),
     };
     let Some(table) = table else {
-        return input.error(tr!("{what} and no spectral columns", what), EXPECTED);
+        return input.error(tr!("{what} and no spectral columns", what), expected);
     };
     let line = table.fields.line;
     if !table.fields.bands.is_empty() {
@@ -205,6 +213,11 @@ fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
     let fields: Vec<&str> = titles.iter().copied().take(8).chain(more).collect();
     let fields: String = fields.join(" ").chars().take(120).collect();
     let sets = table.sets();
-    let found = tr!("{what} of {sets} sets with no spectral columns ({fields})", what, sets, fields);
-    input.error_at(line, found, EXPECTED)
+    let found = tr!(
+        "{what} of {n} sets with no spectral columns ({fields})"
+            | "{what} of {n} sets with no spectral columns ({fields})" % sets,
+        what,
+        fields
+    );
+    input.error_at(line, found, expected)
 }

@@ -117,7 +117,7 @@ fn kind_of_keywords(
     keys.iter().find_map(|key| {
         let value = table.key(key)?;
         let (kind, is_evident) = kind(value)?;
-        let says = tr!("{key} says {trim}", key, trim = quoted(value.trim()));
+        let says = tr!("{key} says {value}", key, value = quoted(value.trim()));
         Some(Decision::guessed(kind, is_evident, says))
     })
 }
@@ -170,10 +170,15 @@ fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decis
     // Several patches of a chart with per cent, by a program that is not Argyll.
     let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
     let (kind, because) = match () {
-        () if all_in(-0.05, 1.3) => (Kind::Reflectance, said!("; all values lie in 0..1")),
-        () if is_chart => (Kind::Reflectance, said!("; several sets with values of 0..100")),
-        () => (Kind::Light, ""),
+        () if all_in(-0.05, 1.3) => (
+            Kind::Reflectance,
+            said!("nothing states it; all values lie in 0..1"),
+        ),
+        () if is_chart => (
+            Kind::Reflectance,
+            said!("nothing states it; several sets with values of 0..100"),
+        ),
+        () => (Kind::Light, said!("nothing states it")),
     };
-    let because = tr!("nothing states it{because}", because);
     Decision::guessed(kind, false, because)
 }

@@ -12,6 +12,7 @@ use crate::io::provenance::ORIGINATOR;
 use crate::io::text::number::{self, Cell};
 use crate::io::text::{kept_line, lines};
 use crate::io::{Input, ReadError};
+use crate::languages::with_sign;
 
 /// Most keywords kept from one file.
 const MOST_KEYS: usize = 10_000;
@@ -197,7 +198,7 @@ pub(super) fn tables<'a>(input: &Input, text: &'a str) -> Result<Vec<CgatsTable<
                 table.finish(done.first());
                 done.push(table);
                 if let Some(end) = end.filter(|_| done.len() >= MOST_TABLES) {
-                    let found = tr!("more than {MOST_TABLES} tables", MOST_TABLES);
+                    let found = tr!("more than {most} tables", most = MOST_TABLES);
                     return Err(input.error_at(end, found, said!("a smaller file")));
                 }
             }
@@ -258,8 +259,9 @@ impl<'a> CgatsTable<'a> {
             }
         }
         if !row.is_empty() {
-            let expected = tr!("{width}, one for each field", width);
-            return Err(input.error_at(first, tr!("{row} cells", row = row.len()), expected));
+            let expected = tr!("{number}, one for each field", number = width);
+            let found = tr!("{n} cells" | "{n} cells" % row.len());
+            return Err(input.error_at(first, found, expected));
         }
         if end.is_none() {
             let note = said!("the file ends without END_DATA");
@@ -280,7 +282,10 @@ impl<'a> CgatsTable<'a> {
                         value
                     }
                     _ => {
-                        let expected = tr!("a number for {column}", column = self.fields.titles[*column]);
+                        let expected = tr!(
+                            "a number for {column}",
+                            column = self.fields.titles[*column]
+                        );
                         return Err(input.error_at(line, quoted(cell), expected));
                     }
                 },
@@ -305,7 +310,21 @@ impl<'a> CgatsTable<'a> {
             ("NUMBER_OF_SETS", self.sets(), "sets"),
         ] {
             if let Some(says) = self.number(key).filter(|says| *says != found as f64) {
-                let note = tr!("{key} says {says} and there are {found} {what}", key, says, found, what);
+                let says = with_sign(says.to_string());
+                let note = match what {
+                    "sets" => tr!(
+                        "{key} says {number} and there are {n} sets"
+                            | "{key} says {number} and there are {n} sets" % found,
+                        key,
+                        number = says
+                    ),
+                    _ => tr!(
+                        "{key} says {number} and there are {n} fields"
+                            | "{key} says {number} and there are {n} fields" % found,
+                        key,
+                        number = says
+                    ),
+                };
                 self.notes.push(note);
             }
         }

@@ -71,8 +71,13 @@ impl Header {
     /// The refusal of data that end after `found` bytes, too early.
     pub(super) fn short(&self, found: usize, data_name: &str) -> ReadError {
         let (numbers, offset) = (self.in_words(), self.layout.first_byte);
-        let expected = tr!("{numbers} after {offset} bytes, as {file} says", numbers, offset, file = self.file);
-        ReadError::new(data_name, tr!("{found} bytes", found), expected)
+        let expected = tr!(
+            "{numbers} after {n} bytes, as {file} says"
+                | "{numbers} after {n} bytes, as {file} says" % offset,
+            numbers,
+            file = self.file
+        );
+        ReadError::new(data_name, tr!("{n} bytes" | "{n} bytes" % found), expected)
     }
 
     /// The expected contents of the data file, in words.
@@ -82,7 +87,13 @@ impl Header {
             true => (self.channels, self.width),
             false => (self.width, self.channels),
         };
-        tr!("{samples} x {lines} x {bands} numbers of {bytes} bytes", samples, lines, bands, bytes)
+        tr!(
+            "{samples} x {lines} x {bands} numbers of {n} bytes"
+                | "{samples} x {lines} x {bands} numbers of {n} bytes" % bytes,
+            samples,
+            lines,
+            bands
+        )
     }
 }
 
@@ -226,7 +237,7 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
             6 | 9 => said!("complex numbers (data type 6 or 9)").to_owned(),
-            other => tr!("data type {other}", other),
+            other => format!("data type {other}"),
         };
         let expected = said!("data type 1, 2, 3, 4, 5, 12, 13, 14 or 15");
         header.error("data type", found, expected)
@@ -244,7 +255,8 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         }
     }
     if byte_order > 1 {
-        return Err(header.error("byte order", tr!("byte order = {byte_order}", byte_order), said!("0 or 1")));
+        let found = format!("byte order = {byte_order}");
+        return Err(header.error("byte order", found, said!("0 or 1")));
     }
     let compression = "file compression";
     if header.text(compression).is_some_and(|word| word != "0") {
@@ -302,14 +314,18 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, Re
                 }
                 inside.push_str(rest);
                 inside.push(' ');
-                let open = || tr!("{trim} with no closing brace", trim = quoted(key.trim()));
+                let open = || tr!("{key} with no closing brace", key = quoted(key.trim()));
                 let next = rows.next();
                 (_, rest) = next.ok_or_else(|| refusal(line, &open(), said!("a closing brace")))?;
             };
             value = inside + end;
         }
         if fields.len() >= most {
-            return Err(refusal(line, said!("too many fields"), said!("an ENVI header")));
+            return Err(refusal(
+                line,
+                said!("too many fields"),
+                said!("an ENVI header"),
+            ));
         }
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
         // The first of two fields of one name counts.

@@ -21,7 +21,8 @@ pub(super) fn read(
     let kind = header.text("file type").unwrap_or("");
     if kind.to_lowercase().contains("classification") {
         let found = said!("a classification (classes, not spectra)");
-        return Err(header.error("file type", found, said!("a cube or a spectral library")));
+        let expected = said!("a cube or a spectral library");
+        return Err(header.error("file type", found, expected));
     }
     let channels = meaning::channels(header, choices.wavelengths)?;
     let (layout, bytes) = (header.layout()?, data.len() as u64);
@@ -29,9 +30,11 @@ pub(super) fn read(
     let cube = Cube::new(width, height, &channels.bands, layout, Arc::new(data));
     let cube = cube.map_err(|error| match error {
         CubeError::Short { found, .. } => header.short(found, data_name),
-        CubeError::Empty | CubeError::Bands => {
-            header.error("bands", error.to_string(), said!("an image of two or more bands"))
-        }
+        CubeError::Empty | CubeError::Bands => header.error(
+            "bands",
+            error.to_string(),
+            said!("an image of two or more bands"),
+        ),
     })?;
     let (known, of_values) = meaning::values(header, data_name, &spectral_image::sample(&cube))?;
     let mut notes = channels.notes;

@@ -3,9 +3,9 @@
 use super::{Header, meaning};
 use crate::io::formats::spectral_image::guesses_in_words;
 use crate::io::interpret::raw::{RawAxis, RawSpectrum};
-use crate::io::many::many;
 use crate::io::reading::remark::Remark;
 use crate::io::{Input, ReadError, Reading, budget, interpret};
+use crate::languages::said;
 
 /// Memory of a spectrum besides its samples: names, notes, guesses, in bytes.
 const SPECTRUM_BYTES: usize = 1500;
@@ -29,7 +29,7 @@ pub(super) fn read(
 ) -> Result<Reading, ReadError> {
     let (channels, count) = (header.channels, header.height);
     if header.width != 1 {
-        let found = tr!("a library with bands = {width}", width = header.width);
+        let found = tr!("a library with bands = {bands}", bands = header.width);
         return Err(header.error("bands", found, "bands = 1"));
     }
     let need = header.bytes().filter(|need| *need <= data.len());
@@ -37,8 +37,11 @@ pub(super) fn read(
     let axis = meaning::channels(header, input.choices.wavelengths)?;
     let memory = count.saturating_mul(SPECTRUM_BYTES + SAMPLE_BYTES * axis.bands.len());
     if memory > budget::of(file_bytes) {
-        let found = tr!("{count} spectra, which take {in_words}", count, in_words = budget::in_words(memory));
-        return Err(header.error("lines", found, budget::WORDS));
+        let found = tr!(
+            "{n} spectra, which take {size}" | "{n} spectra, which take {size}" % count,
+            size = budget::in_words(memory)
+        );
+        return Err(header.error("lines", found, said(budget::WORDS)));
     }
     let layout = header.layout()?;
     let value = |spectrum: usize, channel: usize| {
@@ -60,7 +63,10 @@ pub(super) fn read(
     let nm: Vec<f64> = axis.bands.iter().map(|(nm, _)| *nm).collect();
 
     let mut reading = Reading {
-        in_front: tr!("library of {many}: ", many = many(count, "spectrum", "spectra")),
+        in_front: format!(
+            "{}: ",
+            tr!("library of {n} spectrum" | "library of {n} spectra" % count)
+        ),
         ..Reading::default()
     };
     let mut empty = 0_usize;
@@ -69,7 +75,7 @@ pub(super) fn read(
         let values = channels.map(|channel| value(index, channel)).collect();
         let name = match names.get(index) {
             Some(name) if !name.is_empty() => (*name).to_owned(),
-            _ => tr!("spectrum {index}", index = index + 1),
+            _ => format!("spectrum {}", index + 1),
         };
         let raw = RawSpectrum {
             axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
@@ -98,9 +104,20 @@ pub(super) fn read(
     }
     let (named, left_over) = (names.len(), data.len() - need);
     let odd = [
-        (empty > 0).then(|| tr!("{empty} spectra with fewer than 2 numbers left out", empty)),
-        (named > 0 && named != count).then(|| tr!("{named} names for {count} spectra", named, count)),
-        (left_over > 0).then(|| tr!("{left_over} bytes behind the last spectrum passed over", left_over)),
+        (empty > 0).then(|| {
+            tr!("{n} spectra with fewer than 2 numbers left out"
+                | "{n} spectra with fewer than 2 numbers left out" % empty)
+        }),
+        (named > 0 && named != count).then(|| {
+            tr!(
+                "{n} names for {spectra} spectra" | "{n} names for {spectra} spectra" % named,
+                spectra = count
+            )
+        }),
+        (left_over > 0).then(|| {
+            tr!("{n} bytes behind the last spectrum passed over"
+                | "{n} bytes behind the last spectrum passed over" % left_over)
+        }),
     ];
     reading.notes.extend(odd.into_iter().flatten());
     reading.notes.extend(axis.notes);

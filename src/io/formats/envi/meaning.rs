@@ -3,6 +3,7 @@
 use crate::spectrum::Kind;
 
 use super::Header;
+use crate::io::ReadError;
 use crate::io::error::quoted;
 use crate::io::formats::extent;
 use crate::io::interpret::axis::{self, Axis};
@@ -12,7 +13,7 @@ use crate::io::interpret::raw::Known;
 use crate::io::reading::decision::{AxisDecision, Decision, Origin};
 use crate::io::reading::remark::{taken_as, unit_words};
 use crate::io::text::units::WavelengthUnit;
-use crate::io::{ReadError, many::many};
+use crate::languages::with_sign;
 
 /// The channels to read and notes on their selection.
 #[derive(Debug)]
@@ -34,11 +35,18 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
     let stored = header.channels;
     let axis = header.numbers("wavelength")?;
     if axis.len() != stored {
-        let found = match axis.len() {
-            0 => tr!("{stored} channels without wavelengths", stored),
-            n => tr!("{n} wavelengths for {stored} channels", n, stored),
-        };
-        return Err(header.error("wavelength", found, said!("\"wavelength = {...}\", one a channel")));
+        let found =
+            match axis.len() {
+                0 => tr!("{n} channels without wavelengths"
+                    | "{n} channels without wavelengths" % stored),
+                count => tr!(
+                    "{n} wavelengths for {channels} channels"
+                        | "{n} wavelengths for {channels} channels" % count,
+                    channels = stored
+                ),
+            };
+        let expected = said!("\"wavelength = {...}\", one a channel");
+        return Err(header.error("wavelength", found, expected));
     }
     let mut notes = Vec::new();
     let title = header.text("wavelength units").unwrap_or("");
@@ -63,10 +71,10 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
         let words = unit_words(unit, against.as_deref());
         notes.push(taken_as(&words, &found.reason));
     } else if unit != WavelengthUnit::Nanometre {
-        notes.push(tr!("wavelengths converted from {word}", word = unit.word()));
+        notes.push(tr!("wavelengths converted from {unit}", unit = unit.word()));
     }
     if found.origin == Origin::Stated {
-        found.reason = tr!("wavelength units = {title}", title);
+        found.reason = format!("wavelength units = {title}");
     }
     let mut bands: Vec<(f64, usize)> = axis
         .iter()
@@ -76,7 +84,7 @@ pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chose
     drop_bad(header, &mut bands, &mut notes)?;
     put_in_order(&mut bands, &mut notes);
     if bands.len() < 2 {
-        let found = tr!("{bands} good channels", bands = bands.len());
+        let found = tr!("{n} good channels" | "{n} good channels" % bands.len());
         let expected = said!("at least 2 at different wavelengths above 0");
         return Err(header.error("wavelength", found, expected));
     }
@@ -100,14 +108,21 @@ fn drop_bad(
     }
     if good.len() != bands.len() {
         let (entries, channels) = (good.len(), bands.len());
-        notes.push(tr!("the bad bands list has {entries} entries for {channels} channels: passed over", entries, channels));
+        notes.push(tr!(
+            "the bad bands list has {n} entries for {channels} channels: passed over"
+                | "the bad bands list has {n} entries for {channels} channels: passed over"
+                    % entries,
+            channels
+        ));
         return Ok(());
     }
     let before = bands.len();
     bands.retain(|(_, channel)| good[*channel] != 0.0);
     let dropped = before - bands.len();
     if dropped > 0 {
-        notes.push(many(dropped, said!("bad band dropped"), said!("bad bands dropped")));
+        notes.push(tr!(
+            "{n} bad band dropped" | "{n} bad bands dropped" % dropped
+        ));
     }
     Ok(())
 }
@@ -122,7 +137,8 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     bands.dedup_by(|later, earlier| later.0 == earlier.0);
     let dropped = before - bands.len();
     if dropped > 0 {
-        let note = tr!("{dropped} channels of no or of a doubled wavelength dropped", dropped);
+        let note = tr!("{n} channels of no or of a doubled wavelength dropped"
+            | "{n} channels of no or of a doubled wavelength dropped" % dropped);
         notes.push(note);
     }
 }
@@ -163,14 +179,23 @@ pub fn values(
     let mut notes = Vec::new();
     if let (Some(odd), None) = (stated, factor) {
         let (least, most) = (SENSIBLE_FACTORS.start(), SENSIBLE_FACTORS.end());
-        notes.push(tr!("the header's reflectance scale factor of {odd} is not used: expected {least} to {most}", odd, least, most));
+        notes.push(tr!(
+            "the header's reflectance scale factor of {factor} is not used: expected {least} to \
+             {most}",
+            factor = with_sign(odd.to_string()),
+            least = with_sign(least.to_string()),
+            most = with_sign(most.to_string())
+        ));
     }
     let mut scale = KnownScale::Stated(1.0);
     if kind.value.is_factor() {
         scale = match factor.or_else(|| stated_factor(title)) {
             Some(factor) => {
                 if factor != 1.0 {
-                    notes.push(tr!("values divided by {factor}, as the header says", factor));
+                    notes.push(tr!(
+                        "values divided by {factor}, as the header says",
+                        factor = with_sign(factor.to_string())
+                    ));
                 }
                 KnownScale::Stated(1.0 / factor)
             }
@@ -193,7 +218,10 @@ pub fn values(
 pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
     let beyond = data_bytes.checked_sub(header.bytes()? as u64)?;
     (beyond > 0).then(|| {
-        tr!("the data are {beyond} bytes longer than the header says, which are left out", beyond)
+        tr!(
+            "the data are {n} bytes longer than the header says, which are left out"
+                | "the data are {n} bytes longer than the header says, which are left out" % beyond
+        )
     })
 }
 

@@ -72,9 +72,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let (name, bytes) = pair::data_of(path, &header)?;
         (header, name, bytes.into())
     } else {
-        let header = path
-            .and_then(pair::header_of)
-            .ok_or_else(|| input.error(said!("ENVI data by itself"), said!("its header .hdr beside it")))?;
+        let header = path.and_then(pair::header_of).ok_or_else(|| {
+            input.error(
+                said!("ENVI data by itself"),
+                said!("its header .hdr beside it"),
+            )
+        })?;
         let header = pair::read_header(&header)?;
         header.few_bytes()?;
         (header, input.name.clone(), input.bytes.into())
@@ -117,7 +120,8 @@ pub fn needs(path: &Path) -> Result<Header, ReadError> {
         false => pair::header_of(path),
     };
     let header_path = header_path.ok_or_else(|| {
-        let (found, expected) = (said!("no ENVI header beside it"), said!("a header .hdr of the same name"));
+        let found = said!("no ENVI header beside it");
+        let expected = said!("a header .hdr of the same name");
         ReadError::new(&name_of(path), found, expected)
     })?;
     let header = pair::read_header(&header_path)?;

@@ -70,7 +70,10 @@ pub(super) fn data_of(path: &Path, header: &Header) -> Result<(String, Vec<u8>),
         ReadError::new(
             &header.file,
             said!("an ENVI header by itself"),
-            tr!("its data beside it ({with_extension} with an ending such as .sli, .img, .bsq, or none)", with_extension = name_of(&path.with_extension(""))),
+            tr!(
+                "its data beside it ({file} with an ending such as .sli, .img, .bsq, or none)",
+                file = name_of(&path.with_extension(""))
+            ),
         )
     })?;
     let bytes = read_file(&chosen, MOST_BYTES, said!("at most 512 MiB in one file"))?;
@@ -96,8 +99,9 @@ pub(crate) fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
 
 fn read_file(path: &Path, most: u64, at_most: &str) -> Result<Vec<u8>, ReadError> {
     let name = name_of(path);
-    let trouble =
-        |error: std::io::Error| ReadError::new(&name, error.to_string(), said!("a file that can be read"));
+    let trouble = |error: std::io::Error| {
+        ReadError::new(&name, error.to_string(), said!("a file that can be read"))
+    };
     let size = disk::len(path).map_err(trouble)?;
     if size > most {
         let found = budget::in_words(usize::try_from(size).unwrap_or(usize::MAX));

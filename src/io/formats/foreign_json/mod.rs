@@ -33,8 +33,10 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 /// The input expected, as given in a refusal.
-const KNOWN: &str = later!("a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
-     lists of numbers beside one of wavelengths");
+const KNOWN: &str = later!(
+    "a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
+     lists of numbers beside one of wavelengths"
+);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -70,7 +72,7 @@ fn in_words(tree: &Tree) -> String {
         return said!("a JSON list with no wavelengths in it").to_owned();
     };
     let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
-    tr!("JSON with the keys {join}", join = quoted(&keys.join(", ")))
+    tr!("JSON with the keys {keys}", keys = quoted(&keys.join(", ")))
 }
 
 /// The text with `null` for the numbers that JSON cannot write and many programs do: `NaN`,

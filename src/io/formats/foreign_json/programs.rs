@@ -9,6 +9,7 @@ use crate::io::interpret::{KnownScale, RawSpectrum, interpret, kinds};
 use crate::io::provenance::shortest;
 use crate::io::text::number;
 use crate::io::{Decision, Input, ReadError, Reading};
+use crate::languages::with_sign;
 use crate::spectrum::Kind;
 
 /// Most channels of a rawtoaces file; a camera has three.
@@ -113,7 +114,11 @@ fn check_counts(input: &Input, wavelengths: usize, values: usize) -> Result<(), 
     if wavelengths == values {
         return Ok(());
     }
-    let found = tr!("{wavelengths} wavelengths and {values} values", wavelengths, values);
+    let found = tr!(
+        "{wavelengths} wavelengths and {values} values",
+        wavelengths,
+        values
+    );
     Err(input.error(found, said!("one value for each wavelength")))
 }
 
@@ -121,7 +126,7 @@ fn check_counts(input: &Input, wavelengths: usize, values: usize) -> Result<(), 
 fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadError> {
     let expected = said!("\"range_nm\" with numbers \"start\", \"end\" and \"interval\"");
     let number = |key: &str| {
-        let number = axis.pointer(&tr!("/range_nm/{key}", key));
+        let number = axis.pointer(&format!("/range_nm/{key}"));
         let missing = || input.error(tr!("no \"{key}\" in \"range_nm\"", key), expected);
         number.and_then(Value::as_f64).ok_or_else(missing)
     };
@@ -129,9 +134,16 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     let steps = ((end - start) / interval).round();
     // The negated test also refuses a step of zero, which makes the count infinite or no number.
     if !(1.0..MOST_SAMPLES as f64).contains(&steps) {
-        let [start, end, interval] = [start, end, interval].map(shortest);
-        let found = tr!("a range of {start} to {end} nm in steps of {interval}", start, end, interval);
-        return Err(input.error(found, said!("at least one step and at most 10,000,000")));
+        let [start, end, interval] =
+            [start, end, interval].map(|number| with_sign(shortest(number)));
+        let found = tr!(
+            "a range of {start} to {end} nm in steps of {interval}",
+            start,
+            end,
+            interval
+        );
+        let expected = said!("at least one step and at most 10,000,000");
+        return Err(input.error(found, expected));
     }
     check_counts(input, steps as usize + 1, values)?;
     let at = |i: usize| start + i as f64 * interval;
@@ -167,8 +179,9 @@ fn read_rawtoaces(
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     // Each is gone through with every wavelength, also where most rows are empty.
     if width > MOST_CHANNELS {
-        let expected = tr!("at most {MOST_CHANNELS} channels", MOST_CHANNELS);
-        return Err(input.error(tr!("{width} channels", width), expected));
+        let expected = tr!("at most {most} channels", most = MOST_CHANNELS);
+        let found = tr!("{n} channels" | "{n} channels" % width);
+        return Err(input.error(found, expected));
     }
     let names = value.pointer("/spectral_data/index/main");
     let names = names.and_then(Value::as_array).into_iter().flatten();

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use crate::io::error::quoted;
 use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, budget};
+use crate::languages::{said, with_sign};
 
 /// Most blocks of one file: each may become a spectrum.
 const MOST_BLOCKS: usize = 10_000;
@@ -127,17 +128,17 @@ impl<'a> Block<'a> {
         input: &'b Input<'i>,
         most_points: usize,
     ) -> Result<Curve<'b, 'i>, ReadError> {
-        const EXPECTED: &str = later!("##XYDATA= or ##XYPOINTS=");
+        let expected = said!("##XYDATA= or ##XYPOINTS=");
         let peaks = said!("a curve in ##XYDATA= or ##XYPOINTS=");
         for (label, found, expected) in [
-            ("NTUPLES", said!("NTUPLES (several variables)"), EXPECTED),
+            ("NTUPLES", said!("NTUPLES (several variables)"), expected),
             ("PEAKTABLE", said!("a table of peaks"), peaks),
         ] {
             if let Some((line, _)) = self.records.get(label) {
                 return Err(input.error_at(*line, found, expected));
             }
         }
-        let nothing = || input.error_at(self.line, said!("a block without data"), EXPECTED);
+        let nothing = || input.error_at(self.line, said!("a block without data"), expected);
         let data = self.data.as_ref().ok_or_else(nothing)?;
         Ok(Curve {
             input,
@@ -207,7 +208,12 @@ impl Curve<'_, '_> {
         if let (Some(stated), Some(found)) = (self.number(label)?, found)
             && (stated - found).abs() > share * stated.abs().max(found.abs()) + rest
         {
-            notes.push(tr!("{label} says {stated}, found {found}", label, stated, found));
+            notes.push(tr!(
+                "{label} says {stated}, found {found}",
+                label,
+                stated = with_sign(stated.to_string()),
+                found = with_sign(found.to_string())
+            ));
         }
         Ok(())
     }
@@ -218,6 +224,6 @@ impl Curve<'_, '_> {
             return Ok(());
         }
         let found = said!("far more points than the file has text");
-        Err(self.input.error_at(line, found, budget::TEXT_WORDS))
+        Err(self.input.error_at(line, found, said(budget::TEXT_WORDS)))
     }
 }

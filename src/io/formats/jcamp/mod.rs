@@ -27,6 +27,7 @@ use crate::io::reading::decision::Decision;
 use crate::io::reading::remark::Remark;
 use crate::io::text::units::WavelengthUnit;
 use crate::io::{Input, ReadError, Reading, budget};
+use crate::languages::with_sign;
 use blocks::Block;
 
 /// JCAMP-DX.
@@ -81,11 +82,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         return Err(refusals.into_iter().next().unwrap_or_else(nothing));
     }
     for why in refusals.iter().take(20) {
-        let place = why
-            .line
-            .map_or(String::new(), |line| tr!(" at line {line}", line));
         let (found, expected) = (&why.found, &why.expected);
-        let note = tr!("block{place} left out: found {found}, expected {expected}", place, found, expected);
+        let note = match why.line {
+            Some(line) => tr!(
+                "block at line {line} left out: found {found}, expected {expected}",
+                line,
+                found,
+                expected
+            ),
+            None => tr!(
+                "block left out: found {found}, expected {expected}",
+                found,
+                expected
+            ),
+        };
         reading.notes.push(note);
     }
     Ok(reading)
@@ -108,7 +118,7 @@ fn unit_of(
     let unit = WavelengthUnit::of_title(x_units);
     let open = ["", "arbitrary units", "unknown", "none"];
     if unit.is_none() && !open.contains(&x_units.to_lowercase().as_str()) {
-        let found = tr!("{quoted} on the x axis", quoted = quoted(x_units));
+        let found = tr!("{unit} on the x axis", unit = quoted(x_units));
         let expected = said!("NANOMETERS, MICROMETERS or 1/CM");
         return Err(input.error_at(block.line_of("XUNITS"), found, expected));
     }
@@ -136,7 +146,11 @@ fn read_block(
     if let Some(announced) = curve.number("NPOINTS")?
         && announced != count as f64
     {
-        notes.push(tr!("NPOINTS says {announced}, found {count} points", announced, count));
+        notes.push(tr!(
+            "NPOINTS says {number}, found {n} points"
+                | "NPOINTS says {number}, found {n} points" % count,
+            number = with_sign(announced.to_string())
+        ));
     }
 
     let range = extent(&axis);
@@ -147,7 +161,10 @@ fn read_block(
         false => "",
     };
     if not_wave_numbers {
-        notes.push(tr!("XUNITS says {x_units}, which would be beyond 9 um: taken as nm", x_units));
+        notes.push(tr!(
+            "XUNITS says {unit}, which would be beyond 9 um: taken as nm",
+            unit = x_units
+        ));
     }
     // A block of the spread of repeated measurements accompanies that of their mean.
     let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
@@ -177,16 +194,24 @@ fn read_block(
     interpret(raw.with_comma(curve.decimal_comma), input, reading)?;
     let spectrum = &mut reading.spectra[index];
     if counts && input.choices.kind_of(index).is_none() {
-        let because = tr!("YUNITS says {quoted}, but the values reach {highest}", quoted = quoted(y_units), highest);
-        notes.push(tr!("taken as counts: {because}", because));
+        let because = tr!(
+            "YUNITS says {unit}, but the values reach {highest}",
+            unit = quoted(y_units),
+            highest = with_sign(highest.to_string())
+        );
+        notes.push(tr!("taken as counts: {reason}", reason = because));
         if let Some(facts) = reading.facts.get_mut(index) {
             facts.decisions.kind = Decision::guessed(spectrum.kind, false, because);
             facts.remarks.retain(|remark| *remark != Remark::Kind);
         }
     } else if !y_units.is_empty() && spectrum.unit.is_empty() {
-        notes.push(tr!("values in {to_lowercase}", to_lowercase = y_units.to_lowercase()));
+        notes.push(tr!("values in {unit}", unit = y_units.to_lowercase()));
     }
-    let about = [("ORIGIN", "origin"), ("DATE", "date"), ("LONGDATE", "date")];
+    let about = [
+        ("ORIGIN", said!("origin")),
+        ("DATE", said!("date")),
+        ("LONGDATE", said!("date")),
+    ];
     let about = about.map(|(label, what)| Some(format!("{what}: {}", block.text(label)?)));
     notes.extend(about.into_iter().flatten());
     spectrum.notes.extend(notes);

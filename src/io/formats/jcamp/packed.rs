@@ -19,6 +19,7 @@ use super::pairs::Points;
 use crate::io::ReadError;
 use crate::io::error::quoted;
 use crate::io::text::number;
+use crate::languages::with_sign;
 
 /// The form of a number on a line.
 #[derive(Clone, Copy, PartialEq)]
@@ -125,7 +126,13 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
         ..
     } = unpacked;
     if let Some((line, count)) = wrong {
-        notes.push(tr!("{count} of {starts} checks at line starts are wrong, the first at line {line}", count, starts = starts.len(), line));
+        notes.push(tr!(
+            "{n} of {checks} checks at line starts are wrong, the first at line {line}"
+                | "{n} of {checks} checks at line starts are wrong, the first at line {line}"
+                    % count,
+            checks = starts.len(),
+            line
+        ));
     }
     starts.iter_mut().for_each(|start| start.x *= x_factor);
     values.iter_mut().for_each(|value| *value *= y_factor);
@@ -148,7 +155,11 @@ impl Unpacked<'_, '_, '_> {
         let input = self.curve.input;
         let odd = |at: usize| {
             let found = quoted(row.get(at..).unwrap_or(row));
-            input.error_at(line, found, said!("an abscissa and ordinates, plain or packed"))
+            input.error_at(
+                line,
+                found,
+                said!("an abscissa and ordinates, plain or packed"),
+            )
         };
         let mut at = 0;
         let mut has_abscissa = false;
@@ -238,8 +249,9 @@ impl Grid {
     /// Evenly spaced abscissas for `count` points, compared with those at the line starts.
     fn axis(mut self, starts: &[Start], count: usize, notes: &mut Vec<String>) -> Vec<f64> {
         if self.is_turned(starts, count) {
-            let note =
-                said!("FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell");
+            let note = said!(
+                "FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell"
+            );
             notes.push(note.to_owned());
             std::mem::swap(&mut self.first, &mut self.last);
             self.delta = self.delta.map(|delta| -delta);
@@ -264,7 +276,12 @@ impl Grid {
         };
         if let Some(Start { line, x, index }) = starts.iter().find(is_off) {
             let even = at(*index);
-            notes.push(tr!("the abscissa {x} at line {line} is not the {even} of even steps", x, line, even));
+            notes.push(tr!(
+                "the abscissa {x} at line {line} is not the {even} of even steps",
+                x = with_sign(x.to_string()),
+                line,
+                even = with_sign(even.to_string())
+            ));
         }
         if is_complete {
             // The last abscissa is stated: rounding of the step does not move it.
@@ -274,7 +291,11 @@ impl Grid {
             if let (Some(stated), Some(delta)) = (self.delta, by_ends)
                 && (stated - delta).abs() > 0.01 * delta.abs()
             {
-                notes.push(tr!("DELTAX says {stated}, the ends say {delta}", stated, delta));
+                notes.push(tr!(
+                    "DELTAX says {stated}, the ends say {delta}",
+                    stated = with_sign(stated.to_string()),
+                    delta = with_sign(delta.to_string())
+                ));
             }
         }
         axis

@@ -27,7 +27,11 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
             .split(is_gap)
             .flat_map(|cell| parted_by_comma(cell, decimal_comma));
         for cell in cells.filter(|cell| !cell.is_empty()) {
-            let word = || curve.input.error_at(line, quoted(cell), said!("pairs of numbers"));
+            let word = || {
+                curve
+                    .input
+                    .error_at(line, quoted(cell), said!("pairs of numbers"))
+            };
             let value = match cell {
                 "?" => f64::NAN,
                 _ => number::number(cell, decimal_comma).ok_or_else(word)?,

@@ -1,5 +1,7 @@
 //! The wavelengths at which a dispersion formula is sampled.
 
+use crate::languages::with_sign;
+
 /// Below this no formula is sampled, nm: soft X-rays.
 const FIRST_NM: f64 = 1.0;
 
@@ -34,9 +36,17 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
         // But the one that the part before ended with.
         nm.extend(part.filter(|x| *x > low || low <= first));
         if step < 1.0 {
-            how += &tr!(", in steps of {step} nm below {high} nm", step, high);
+            how += &tr!(
+                ", in steps of {step} nm below {limit} nm",
+                step = with_sign(step.to_string()),
+                limit = with_sign(high.to_string())
+            );
         } else if step > 1.0 {
-            how += &tr!(", in steps of {step} nm beyond {low} nm", step, low);
+            how += &tr!(
+                ", in steps of {step} nm beyond {limit} nm",
+                step = with_sign(step.to_string()),
+                limit = with_sign(low.to_string())
+            );
         }
     }
     // A narrow range may hold one multiple of the step or none.
@@ -45,10 +55,16 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
         said!("at the ends of its range").clone_into(&mut how);
     }
     if from < FIRST_NM {
-        how += &tr!("; not sampled below {FIRST_NM} nm", FIRST_NM);
+        how += &tr!(
+            "; not sampled below {limit} nm",
+            limit = with_sign(FIRST_NM.to_string())
+        );
     }
     if to > LAST_NM {
-        how += &tr!("; not sampled beyond {LAST_NM} nm", LAST_NM);
+        how += &tr!(
+            "; not sampled beyond {limit} nm",
+            limit = with_sign(LAST_NM.to_string())
+        );
     }
     (nm, how)
 }

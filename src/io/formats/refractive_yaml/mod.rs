@@ -21,6 +21,7 @@ use crate::io::interpret::{curve, interpret};
 use crate::io::reading::decision::Decision;
 use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, Reading, budget};
+use crate::languages::with_sign;
 
 /// refractiveindex.info.
 pub(crate) const FORMAT: Format = Format {
@@ -104,13 +105,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let file = parse(input, text)?;
     if file.data.len() > MOST_DATA {
-        let found = tr!("{data} tables and formulas", data = file.data.len());
-        return Err(input.error(found, tr!("at most {MOST_DATA}", MOST_DATA)));
+        let found = tr!("{n} tables and formulas" | "{n} tables and formulas" % file.data.len());
+        return Err(input.error(found, tr!("at most {most}", most = MOST_DATA)));
     }
     let source = plain(&file.references);
     let mut about = Vec::new();
     if !file.comments.trim().is_empty() {
-        about.push(tr!("comment in the file: {plain}", plain = plain(&file.comments)));
+        about.push(tr!(
+            "comment in the file: {comment}",
+            comment = plain(&file.comments)
+        ));
     }
     let mut reading = Reading::default();
     let mut push = |(name, kind): (String, Kind), samples: &Sampled, notes| {
@@ -137,8 +141,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             let kept = if letter == 'n' { &mut n } else { &mut k };
             let mut name = format!("{} {letter}", input.stem());
             if is_beside {
-                name += &tr!(" by {trim}", trim = data.r#type.trim());
-                let note = said!("the file holds n as a table too, from which the rest is computed");
+                name += &format!(" by {}", data.r#type.trim());
+                let note =
+                    said!("the file holds n as a table too, from which the rest is computed");
                 notes.push(note.to_owned());
             } else {
                 kept.get_or_insert_with(|| samples.clone());
@@ -149,7 +154,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if let Some((samples, how)) = n.and_then(|n| reflectance(&n, k.as_ref())) {
         let mut notes = vec![how.to_owned()];
         notes.extend(about);
-        let name = tr!("{stem} reflectance", stem = input.stem());
+        let name = format!("{} reflectance", input.stem());
         push((name, Kind::Reflectance), &samples, notes)?;
     }
     if reading.spectra.is_empty() {
@@ -177,13 +182,15 @@ fn read_data(
         }
         _ => {
             let expected = said!("tabulated nk, tabulated n, tabulated k or formula 1 to 9");
-            return Err(input.error(tr!("data of the type {quoted}", quoted = quoted(kind)), expected));
+            let found = tr!("data of the type {kind}", kind = quoted(kind));
+            return Err(input.error(found, expected));
         }
     };
     let mut columns = columns(input, text, &data.data, letters.len() + 1)?;
     let nm: Vec<f64> = columns.remove(0).iter().map(|um| um * 1000.0).collect();
     let of_letter = |(letter, values): (char, Vec<f64>)| {
-        let (samples, notes) = clean(input, &nm, &values, said!("wavelengths converted from um").into())?;
+        let how = said!("wavelengths converted from um").to_owned();
+        let (samples, notes) = clean(input, &nm, &values, how)?;
         Ok((letter, samples, notes))
     };
     letters.chars().zip(columns).map(of_letter).collect()
@@ -205,7 +212,7 @@ fn columns(
         let cells = row.split_whitespace().take(width + 1);
         let numbers: Option<Vec<f64>> = cells.map(|cell| number::number(cell, false)).collect();
         let Some(numbers) = numbers.filter(|numbers| numbers.len() == width) else {
-            let error = input.error(quoted(row), tr!("{width} numbers", width));
+            let error = input.error(quoted(row), tr!("{n} numbers" | "{n} numbers" % width));
             return Err(match lines(text).find(|(_, line)| line.trim() == row) {
                 Some((line, _)) => error.at_line(line),
                 None => error,
@@ -225,14 +232,14 @@ fn read_formula(
         let number = |word: &str| {
             number::number(word, false)
                 .filter(|x| x.is_finite())
-                .ok_or_else(|| input.error(quoted(word), tr!("numbers as {what}", what)))
+                .ok_or_else(|| input.error(quoted(word), tr!("numbers as {key}", key = what)))
         };
         text.split_whitespace().map(number).collect()
     };
     let coefficients = numbers(&data.coefficients, "coefficients")?;
     if coefficients.len() > MOST_COEFFICIENTS {
-        let found = tr!("{coefficients} coefficients", coefficients = coefficients.len());
-        return Err(input.error(found, tr!("at most {MOST_COEFFICIENTS}", MOST_COEFFICIENTS)));
+        let found = tr!("{n} coefficients" | "{n} coefficients" % coefficients.len());
+        return Err(input.error(found, tr!("at most {most}", most = MOST_COEFFICIENTS)));
     }
     let range = match data.wavelength_range.trim() {
         "" => &data.range,
@@ -240,19 +247,29 @@ fn read_formula(
     };
     let range = numbers(range, "wavelength_range")?;
     let [from_um, to_um] = range[..] else {
-        let found = tr!("a wavelength range of {range} numbers", range = range.len());
+        let found =
+            tr!("a wavelength range of {n} numbers"
+                | "a wavelength range of {n} numbers" % range.len());
         return Err(input.error(found, said!("first and last wavelength in um")));
     };
     let range_nm = [from_um * 1000.0, to_um * 1000.0];
     let (nm, how) = grid::of(range_nm[0], range_nm[1]);
     let formula = Formula::new(number, coefficients, range_nm).ok_or_else(|| {
         input.error(
-            tr!("a wavelength range from {from_um} to {to_um}", from_um, to_um),
+            tr!(
+                "a wavelength range from {from} to {to}",
+                from = with_sign(from_um.to_string()),
+                to = with_sign(to_um.to_string())
+            ),
             said!("first and last wavelength in um, rising"),
         )
     })?;
     let values: Vec<f64> = nm.iter().map(|nm| formula.index(nm / 1000.0)).collect();
-    let how = tr!("n computed from dispersion formula {number} {how}", number, how);
+    let how = tr!(
+        "n computed from dispersion formula {number} {how}",
+        number,
+        how
+    );
     let (samples, notes) = clean(input, &nm, &values, how)?;
     Ok((samples.of_formula(formula), notes))
 }
@@ -284,7 +301,9 @@ fn reflectance(n: &Sampled, k: Option<&Sampled>) -> Option<(Sampled, &'static st
     let how = if k.is_some() {
         said!("computed from n and k: ((n-1)^2+k^2)/((n+1)^2+k^2), normal incidence from air")
     } else {
-        said!("computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence")
+        said!(
+            "computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence"
+        )
     };
     Some((Sampled::new(nm, values).ok()?, how))
 }

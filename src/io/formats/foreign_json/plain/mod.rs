@@ -54,7 +54,7 @@ pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result
     };
     finder.look(value, DEPTH)?;
     let left_out = finder.left_out.iter();
-    let notes = left_out.map(|(title, why)| format!("{} {why}", quoted(title)));
+    let notes = left_out.map(|(title, why)| roles::left_out_words(&quoted(title), why));
     finder.reading.notes.extend(notes);
     Ok(())
 }
@@ -102,13 +102,13 @@ impl Finder<'_, '_, '_> {
             if several && !is_no_name(plain.trim()) {
                 let is_number = number::number(key.trim(), false).is_some();
                 self.push(if is_kind || is_number {
-                    tr!("name: {stem} {kept}", stem = self.input.stem(), kept = kept(key))
+                    format!("name: {} {}", self.input.stem(), kept(key))
                 } else {
-                    tr!("name: {kept}", kept = kept(key))
+                    format!("name: {}", kept(key))
                 });
             }
             if !several && is_kind {
-                self.push(tr!("y units: {plain}", plain));
+                self.push(format!("y units: {plain}"));
             }
             self.look(inner, depth)?;
             self.words.truncate(outside);

@@ -153,7 +153,7 @@ impl Ends {
         let last = (length.max(2) - 1) as f64;
         // Rounded, so that steps of a tenth are even.
         let at = |i: usize| ((start + (end - start) * (i as f64) / last) * 1e9).round() / 1e9;
-        let title = tr!("wavelength {unwrap_or}", unwrap_or = self.unit.unwrap_or(""));
+        let title = format!("wavelength {}", self.unit.unwrap_or(""));
         (title.trim_end().to_owned(), (0..length).map(at).collect())
     }
 }
