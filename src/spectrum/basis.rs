@@ -89,12 +89,6 @@ impl Basis {
         }
     }
 
-    /// The name at the beginning of a line.
-    pub(crate) fn title(self) -> String {
-        let (first, rest) = self.name().split_at(1);
-        first.to_uppercase() + rest
-    }
-
     /// A sentence on the functions, for people.
     pub fn meaning(self) -> &'static str {
         match self {

@@ -165,7 +165,7 @@ mod tests {
         let others = asked(&app, true, false);
         let portable = asked(&app, false, false);
         assert!(named(&itself).iter().any(|t| t.starts_with("FL2")));
-        assert!(!named(&others).contains(&"FL2") && !is_fl2(&others));
+        assert!(!named(&others).contains(&"FL2".to_owned()) && !is_fl2(&others));
         assert!(!others.parts.is_empty() && portable.parts.is_empty());
         for found in [&itself, &others, &portable] {
             assert_eq!(found.encoded.words.len(), found.encoded.encoding.numbers());
