@@ -19,7 +19,7 @@ use crate::{
         lessons::Lesson,
         workspace::Preferences,
     },
-    languages,
+    languages::{self, Language},
 };
 
 /// Frames until layout, fonts and automatic axes are settled.
@@ -110,18 +110,22 @@ fn before_class(
     dark: bool,
 ) -> (ColorImage, usize) {
     let context = egui::Context::default();
-    let preferences = Preferences {
+    let mut preferences = Preferences {
         dark,
         present: true,
         ..Preferences::default()
     };
+    let language = Language::of_locale(&lesson.language).unwrap_or_default();
+    preferences.speak(language);
     let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
     let mut window = Window::new(App::new(), preferences, no_files, None);
     window.quiet = true;
-    window.begin(lesson, step, done);
-    let picture = picture_with(&context, CLASS, 1.0, PASSES, |ui| {
-        window.show(ui);
-        window.studies.finish();
+    let picture = languages::in_language(language, || {
+        window.begin(lesson, step, done);
+        picture_with(&context, CLASS, 1.0, PASSES, |ui| {
+            window.show(ui);
+            window.studies.finish();
+        })
     });
     // Behind the line at the column's edge.
     (picture, window.lesson_ends().ceil() as usize + 2)

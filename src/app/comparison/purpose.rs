@@ -13,8 +13,9 @@
 //!
 //! The thresholds are this program's, but for the 80 of EN 12464-1.
 
+mod wins;
+
 use super::{rule::Rule, side::Side};
-use crate::app::numbers::fixed;
 
 /// Something that a light is for.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +90,7 @@ pub const PURPOSES: [Purpose; 10] = [
             least: f64::NEG_INFINITY,
         },
         topic: later!("colours"),
-        wins: colours_wins,
+        wins: wins::colours,
         same: colours_same,
     },
     Purpose {
@@ -104,7 +105,7 @@ pub const PURPOSES: [Purpose; 10] = [
         of: Side::r13,
         rule: OF_SAMPLE,
         topic: later!("light skin"),
-        wins: skin_wins,
+        wins: wins::skin,
         same: skin_same,
     },
     Purpose {
@@ -119,7 +120,7 @@ pub const PURPOSES: [Purpose; 10] = [
         of: Side::r9,
         rule: OF_SAMPLE,
         topic: later!("strong reds"),
-        wins: reds_wins,
+        wins: wins::reds,
         same: reds_same,
     },
     Purpose {
@@ -135,7 +136,7 @@ pub const PURPOSES: [Purpose; 10] = [
             same: 5.0,
         },
         topic: later!("reading"),
-        wins: reading_wins,
+        wins: wins::reading,
         same: reading_same,
     },
     Purpose {
@@ -155,7 +156,7 @@ pub const PURPOSES: [Purpose; 10] = [
             is_less_better: true,
         },
         topic: later!("evening"),
-        wins: evening_wins,
+        wins: wins::evening,
         same: evening_same,
     },
     Purpose {
@@ -175,7 +176,7 @@ pub const PURPOSES: [Purpose; 10] = [
             is_less_better: false,
         },
         topic: later!("day"),
-        wins: day_wins,
+        wins: wins::day,
         same: day_same,
     },
     Purpose {
@@ -195,7 +196,7 @@ pub const PURPOSES: [Purpose; 10] = [
             is_less_better: false,
         },
         topic: later!("dark streets"),
-        wins: night_wins,
+        wins: wins::night,
         same: night_same,
     },
     Purpose {
@@ -215,7 +216,7 @@ pub const PURPOSES: [Purpose; 10] = [
             is_less_better: false,
         },
         topic: later!("energy"),
-        wins: energy_wins,
+        wins: wins::energy,
         same: energy_same,
     },
     Purpose {
@@ -235,7 +236,7 @@ pub const PURPOSES: [Purpose; 10] = [
             is_less_better: false,
         },
         topic: later!("plants"),
-        wins: plants_wins,
+        wins: wins::plants,
         same: plants_same,
     },
     Purpose {
@@ -255,7 +256,7 @@ pub const PURPOSES: [Purpose; 10] = [
             least: 70.0,
         },
         topic: later!("cameras"),
-        wins: cameras_wins,
+        wins: wins::cameras,
         same: cameras_same,
     },
 ];
@@ -285,180 +286,6 @@ impl Predicate {
             again: again.into(),
         }
     }
-}
-
-/// How much more one gives.
-enum More {
-    /// Per cent more.
-    Share(String),
-    /// So many times as much.
-    Times(String),
-    Far,
-}
-
-impl Win {
-    fn more(self) -> More {
-        match self.ratio {
-            r if r < 2.0 => More::Share(fixed(100.0 * (r - 1.0), 0)),
-            r if r < 100.0 => More::Times(fixed(r, 1)),
-            _ => More::Far,
-        }
-    }
-}
-
-fn colours_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("shows colours much better"),
-            said!("colours much better"),
-        ],
-        false => [said!("shows colours better"), said!("colours better")],
-    };
-    Predicate::new("shows", words)
-}
-
-fn skin_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("shows light skin much better"),
-            said!("light skin much better"),
-        ],
-        false => [said!("shows light skin better"), said!("light skin better")],
-    };
-    Predicate::new("shows", words)
-}
-
-fn reds_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("shows strong reds much better"),
-            said!("strong reds much better"),
-        ],
-        false => [
-            said!("shows strong reds better"),
-            said!("strong reds better"),
-        ],
-    };
-    Predicate::new("shows", words)
-}
-
-fn evening_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("suits the evening much better at the same lux"),
-            said!("the evening much better at the same lux"),
-        ],
-        false => [
-            said!("suits the evening better at the same lux"),
-            said!("the evening better at the same lux"),
-        ],
-    };
-    Predicate::new("suits", words)
-}
-
-fn day_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("suits the day much better at the same lux"),
-            said!("the day much better at the same lux"),
-        ],
-        false => [
-            said!("suits the day better at the same lux"),
-            said!("the day better at the same lux"),
-        ],
-    };
-    Predicate::new("suits", words)
-}
-
-fn cameras_wins(win: Win) -> Predicate {
-    let words = match win.is_much {
-        true => [
-            said!("serves cameras much better"),
-            said!("cameras much better"),
-        ],
-        false => [said!("serves cameras better"), said!("cameras better")],
-    };
-    Predicate::new("serves", words)
-}
-
-fn night_wins(win: Win) -> Predicate {
-    let words = match win.more() {
-        More::Share(share) => [
-            tr!(
-                "gives eyes that are used to the dark {share} % more light at the same lux",
-                share
-            ),
-            tr!(
-                "eyes that are used to the dark {share} % more light at the same lux",
-                share
-            ),
-        ],
-        More::Times(times) => [
-            tr!(
-                "gives eyes that are used to the dark {times} times the light at the same lux",
-                times
-            ),
-            tr!(
-                "eyes that are used to the dark {times} times the light at the same lux",
-                times
-            ),
-        ],
-        More::Far => [
-            said!("gives eyes that are used to the dark far more light at the same lux").to_owned(),
-            said!("eyes that are used to the dark far more light at the same lux").to_owned(),
-        ],
-    };
-    Predicate::new("gives", words)
-}
-
-fn energy_wins(win: Win) -> Predicate {
-    let words = match win.more() {
-        More::Share(share) => [
-            tr!("gives {share} % more light per watt of radiation", share),
-            tr!("{share} % more light per watt of radiation", share),
-        ],
-        More::Times(times) => [
-            tr!("gives {times} times the light per watt of radiation", times),
-            tr!("{times} times the light per watt of radiation", times),
-        ],
-        More::Far => [
-            said!("gives far more light per watt of radiation").to_owned(),
-            said!("far more light per watt of radiation").to_owned(),
-        ],
-    };
-    Predicate::new("gives", words)
-}
-
-fn plants_wins(win: Win) -> Predicate {
-    let words = match win.more() {
-        More::Share(share) => [
-            tr!(
-                "gives plants {share} % more photons per watt of radiation",
-                share
-            ),
-            tr!("plants {share} % more photons per watt of radiation", share),
-        ],
-        More::Times(times) => [
-            tr!(
-                "gives plants {times} times the photons per watt of radiation",
-                times
-            ),
-            tr!(
-                "plants {times} times the photons per watt of radiation",
-                times
-            ),
-        ],
-        More::Far => [
-            said!("gives plants far more photons per watt of radiation").to_owned(),
-            said!("plants far more photons per watt of radiation").to_owned(),
-        ],
-    };
-    Predicate::new("gives", words)
-}
-
-fn reading_wins(_: Win) -> Predicate {
-    let words = said!("reaches the Ra of 80 that EN 12464-1 asks for at desks");
-    Predicate::new("reaches", [words, words])
 }
 
 fn colours_same(figures: &str) -> String {

@@ -8,7 +8,10 @@ use super::{
     handout_pdf,
     proof::{Played, play},
 };
-use crate::app::{chart::Theme, charts::spectrum::spectrum_chart, pages::Page};
+use crate::{
+    app::{chart::Theme, charts::spectrum::spectrum_chart, pages::Page},
+    languages::{Language, in_language},
+};
 
 /// Width and height of a drawn plot, px.
 const PLOT: [u32; 2] = [900, 420];
@@ -45,12 +48,23 @@ pub struct Handout {
 /// The page of a step, from 0, as PNG; `None` where there is no window that could draw it.
 pub type PagePicture<'a> = &'a dyn Fn(usize) -> Option<Vec<u8>>;
 
-/// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
-/// for it. `stem` is the sheet's name without its ending.
+/// Writes the sheets of a lesson for some readers in its language, each from a page of its own; the
+/// lesson is played for it. `stem` is the sheet's name without its ending.
 ///
 /// # Errors
 /// [`Fault`] where it cannot be played, or drawn.
 pub fn handout(
+    lesson: &Lesson,
+    readers: &[Reader],
+    form: Form,
+    stem: &str,
+    page: PagePicture<'_>,
+) -> Result<Handout, Fault> {
+    let language = Language::of_locale(&lesson.language).unwrap_or_default();
+    in_language(language, || made(lesson, readers, form, stem, page))
+}
+
+fn made(
     lesson: &Lesson,
     readers: &[Reader],
     form: Form,

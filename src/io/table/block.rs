@@ -1,12 +1,14 @@
 //! Blocks of numbers in a text, as [`scan`](super::scan) finds them.
 
+mod bad_cell;
+
 use std::borrow::Borrow;
 
-use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::{self, Cell, unit_behind};
 use crate::io::text::{first_line, is_no_comment, kept_line, lines};
-use crate::io::{Input, ReadError};
+
+pub(crate) use bad_cell::BadCell;
 
 /// Rows after which a block has shown its width.
 pub(crate) const SETTLED: usize = 3;
@@ -102,54 +104,6 @@ impl<'a> Row<'a> {
         match self.kinds.first()? {
             Cell::Number(first) => Some(*first),
             _ => None,
-        }
-    }
-}
-
-/// A word that stands where the column otherwise holds numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct BadCell {
-    /// Line in the file, from 1.
-    pub line: usize,
-    /// Column, from 0.
-    pub column: usize,
-    pub text: String,
-    /// True if its line is certainly a row: its first number carries the column on.
-    pub certain: bool,
-}
-
-impl BadCell {
-    fn of(row: &Row, column: usize, certain: bool) -> Self {
-        Self {
-            line: row.line,
-            column,
-            text: row.cells[column].to_owned(),
-            certain,
-        }
-    }
-
-    pub(crate) fn refusal(&self, input: &Input) -> ReadError {
-        let expected = tr!("a number in column {column}", column = self.column + 1);
-        input.error(quoted(&self.text), expected).at_line(self.line)
-    }
-
-    /// The note that `what` (the row, the cell) was left out.
-    pub(crate) fn left_out(&self, what: &str) -> String {
-        let (line, column) = (self.line, self.column + 1);
-        let text = quoted(&self.text);
-        match what {
-            "cell" => tr!(
-                "line {line}: found {text} in column {column}: the cell was left out",
-                line,
-                text,
-                column
-            ),
-            _ => tr!(
-                "line {line}: found {text} in column {column}: the row was left out",
-                line,
-                text,
-                column
-            ),
         }
     }
 }

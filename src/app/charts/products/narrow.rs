@@ -1,30 +1,30 @@
 //! The light behind a narrow band-pass: its spectrum with the filter over it, and what three
 //! representations of equal size are off by for every place of the band-pass.
 
+mod filters;
+
 use std::sync::Arc;
 
 use super::{chain::strip, resampling::thin};
 use crate::{
     app::{
-        App, Entry, Families,
-        cells::{Columns, Table, cell},
+        App, Entry,
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
         charts::{
-            spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
+            spectrum::{before_provenance, on_grid, over, spike_stems},
             units::value_label,
         },
-        made::is_made,
-        numbers::{delta_e, or_dash},
         products::ModelledLight,
         ticks::extent,
     },
     color::{Adaptation, Swatch, Xyz, srgb::linear_from_xyz},
     io::many::numbers,
-    languages::{fixed, said},
-    preset::Shelf,
-    spectrum::{Band, Kind, gaussian},
+    languages::fixed,
+    spectrum::{Band, gaussian},
     study::products::{Colours, Narrow, NarrowPoint},
 };
+
+pub use filters::FilterRow;
 
 /// The three representations, in the order of every table.
 pub const WAYS: [&str; 3] = [
@@ -128,15 +128,6 @@ pub struct Figures {
     pub ways: [Colours; 3],
     /// `Y` behind the filter over that of the light; `None` without light.
     pub luminance: Option<f64>,
-}
-
-/// A filter of the table.
-#[derive(Clone, Debug)]
-pub struct FilterRow {
-    /// The filter.
-    pub entry: Arc<Entry>,
-    /// What it leaves.
-    pub figures: Figures,
 }
 
 impl Behind {
@@ -243,18 +234,6 @@ impl Behind {
     pub fn curve(&self, width_nm: f64) -> Vec<NarrowPoint> {
         let step = self.band.points().div_ceil(MOST_CENTRES);
         self.narrow.curve(width_nm, step)
-    }
-
-    /// Every transmittance of the user's own and every shipped filter: gels, then glasses.
-    pub fn table(&self, app: &App) -> Vec<FilterRow> {
-        let all = app.document().own.iter().chain(app.bundled());
-        let mut filters: Vec<_> = all.filter(|entry| is_filter(entry)).collect();
-        filters.sort_by_key(|entry| Families::shipped().place_of(&entry.key));
-        let row = |entry: &Arc<Entry>| FilterRow {
-            figures: self.figures(&Filter::Real(entry.clone())),
-            entry: entry.clone(),
-        };
-        filters.into_iter().map(row).collect()
     }
 
     /// The light, its model and the filter over them.
@@ -396,39 +375,6 @@ impl Behind {
         )];
         before_provenance(notes, app)
     }
-
-    /// The filters as a table.
-    pub fn filters_table(&self, app: &App, rows: &[FilterRow]) -> Table {
-        let head = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
-        let mut columns = Columns::<&FilterRow>::default()
-            .with("filter", |row| cell(row.entry.name()))
-            .titled(
-                said!("filter"),
-                said!("Measured transmittance. Click a row to put it over the light."),
-            )
-            .with("luminance_share", |row| {
-                let share = row.figures.luminance;
-                cell(share).shown(or_dash(share, |share| {
-                    format!("{} %", fixed(100.0 * share, 1))
-                }))
-            })
-            .figures(
-                said!("luminance"),
-                said!(
-                    "Y of the exact light behind the filter over that of the whole light, percent."
-                ),
-            );
-        for (way, key) in ["composite", "series", "samples"].into_iter().enumerate() {
-            let error = move |row: &&FilterRow| row.figures.ways[way].delta_e_2000;
-            let meaning = format!("CIEDE2000. {}", said(WAY_MEANINGS[way]));
-            columns = columns
-                .with(format!("{key}_delta_e_2000"), move |row| {
-                    cell(error(row)).shown(delta_e(error(row)))
-                })
-                .figures(said(WAYS[way]), meaning);
-        }
-        Table::new(table_head(head, app), columns, rows)
-    }
 }
 
 /// Luminance errors beyond this many percent leave the picture: behind a filter where a light has
@@ -454,12 +400,6 @@ fn range(series: &[Series], luminance: bool) -> [f64; 2] {
 /// One of the three, by its place in [`WAYS`].
 pub fn of(point: &NarrowPoint, way: usize) -> Colours {
     [point.composite, point.series, point.samples][way]
-}
-
-/// Shipped filter glasses, and the user's own transmittances.
-pub fn is_filter(entry: &Entry) -> bool {
-    let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
-    entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
 }
 
 #[cfg(test)]

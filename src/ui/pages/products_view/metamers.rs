@@ -1,6 +1,8 @@
 //! The part "Metamers": surfaces that look alike under the light and differ under the second light,
 //! found in the library or made for a surface.
 
+mod table;
+
 use eframe::egui;
 use egui::{Button, Label, RichText, Ui, vec2};
 
@@ -19,11 +21,9 @@ use crate::{
     },
     color::{Adaptation, Swatch},
     languages::{fixed, said},
-    study::products::{MATCH_DELTA_E, MetamericPair},
+    study::products::MATCH_DELTA_E,
     ui::{
-        kit::{
-            Choice, Column, Row, Table, bounded, copy_button, down, headline, knob, named, rolled,
-        },
+        kit::{Choice, Row, Table, bounded, copy_button, down, headline, knob, named, rolled},
         pages::{PageContext, progress},
         patches_view::set_choice,
         swatch,
@@ -99,7 +99,10 @@ impl MetamersView {
             let found = self
                 .found
                 .get(key, |_| Found::of(app, ask, pairs, chosen, adaptation));
-            (&*found, self.rows.get(of, |_| rows(pairs)).as_slice())
+            (
+                &*found,
+                self.rows.get(of, |_| table::rows(pairs)).as_slice(),
+            )
         });
         let job = context.studies.of::<PairsAsk>();
         let found = found.filter(|_| job.stage() != Stage::Impossible);
@@ -393,7 +396,7 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
         "Metamerism index: mean CIEDE2000 under the second light of all pairs that match under the \
          first. Two curves closer than 0.01 (root mean square) are one surface and no pair."
     ));
-    let columns = columns(&found.lights);
+    let columns = table::columns(&found.lights);
     let table = Table {
         chosen: Some(found.chosen),
         ..Table::new(&columns, context.theme)
@@ -411,56 +414,4 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
     if let Some(pair) = table.scrolled(ui, "pairs", height, rows, &mut paint) {
         context.pages.two_lights.pair = pair;
     }
-}
-
-/// Found pairs as rows.
-fn rows(pairs: &Pairs) -> Vec<Row> {
-    let row = |found: &MetamericPair| {
-        let [one, other] = found.pair.map(|i| &pairs.surfaces[i]);
-        let [first, second] = found.delta_e_2000;
-        Row {
-            name: tr!(
-                "Pair: {one} and {other}, {first} under the first light, {second} under the second",
-                one = one.words(),
-                other = other.words(),
-                first = fixed(first, 2),
-                second = fixed(second, 2)
-            ),
-            note: tr!(
-                "{one} and {other}\nΔE₀₀ {first} under the first light, {second} under the second; \
-                 the curves differ by {difference} (root mean square).\nClick to see both.",
-                one = one.key,
-                other = other.key,
-                first = fixed(first, 3),
-                second = fixed(second, 3),
-                difference = fixed(found.rms, 3)
-            ),
-            cells: vec![
-                format!("{} · {}", one.words(), other.words()),
-                String::new(),
-                fixed(first, 2),
-                String::new(),
-                fixed(second, 2),
-            ],
-            ..Row::default()
-        }
-    };
-    pairs.metamers.pairs.iter().map(row).collect()
-}
-
-fn columns([first, second]: &[String; 2]) -> [Column; 5] {
-    let under = |light: &str| tr!("The pair side by side under {light}.", light);
-    let differ = |light: &str| {
-        tr!(
-            "CIEDE2000 under {light}; the pairs that part most stand first.",
-            light
-        )
-    };
-    [
-        Column::words(said!("surfaces"), said!("Click a row to see both."), 0.50),
-        Column::words(said!("1st light"), &under(first), 0.14),
-        Column::words("ΔE₀₀", &differ(first), 0.11),
-        Column::words(said!("2nd light"), &under(second), 0.14),
-        Column::words("ΔE₀₀", &differ(second), 0.11),
-    ]
 }
