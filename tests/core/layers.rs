@@ -675,8 +675,9 @@ fn no_file_is_longer_than_450_lines_without_its_tests() {
     }
 }
 
-/// Most lines of the readers and writers, tests among them.
-const MOST_LINES_OF_IO: usize = 20_000;
+/// Most lines of the readers and writers, tests among them: 20 000 before their sentences could be
+/// translated, whose figures stand in lines of their own since.
+const MOST_LINES_OF_IO: usize = 21_000;
 
 /// What the readers had under many names before there was one raw spectrum.
 const ONE_RAW_TYPE: [&str; 9] = [
