@@ -175,7 +175,7 @@ pub fn headline(found: &Found) -> String {
 }
 
 /// One part that differs, without its amount: `Hg 546`, `glow`, `CCT`.
-pub(super) fn part_name(part: &Part, name: Option<&str>) -> String {
+pub fn part_name(part: &Part, name: Option<&str>) -> String {
     match (part.feature, name) {
         (Feature::Line(_), Some(name)) => name.to_owned(),
         (Feature::Line(at), None) => format!("line {at:.1}"),

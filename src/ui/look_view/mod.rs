@@ -3,6 +3,8 @@
 mod sliders;
 mod title;
 
+use std::borrow::Cow;
+
 use eframe::egui;
 use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
 
@@ -20,8 +22,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Pair, SpikeAct, Tone,
-        answers::{best_of, knobs_of},
+        App, Command, Document, Memo, NoiseBegins, Pair, SpikeAct, Tone,
+        answers::{LINE_THRESHOLDS, best_of, knobs_of},
         lamps_asked, lamps_better,
         pages::{Page, PageStates},
         studies::{About, Stage, Studies, SweepAsk},
@@ -36,6 +38,8 @@ pub struct LookView {
     sliders: SlidersView,
     /// What Automatic was asked about, and for how many numbers, and has not answered yet.
     waiting: Option<(About, usize)>,
+    /// Where the noise of the light begins, by the program's revision.
+    noise: Memo<u64, NoiseBegins>,
 }
 
 /// What the page sees.
@@ -136,8 +140,9 @@ impl LookView {
         let mut inside = ui.new_child(UiBuilder::new().max_rect(room.shrink2(CARD_MARGIN)));
         let mut unused = 0;
         let budget = (&mut unused, false);
+        let noise = self.noise_of(app);
         let sliders = &mut self.sliders;
-        sliders.show(&mut inside, app, (budget, false), theme, commands);
+        sliders.show(&mut inside, app, (budget, false, noise), theme, commands);
         ui.advance_cursor_after_rect(room);
     }
 
@@ -194,6 +199,12 @@ impl LookView {
         wishes
     }
 
+    fn noise_of(&mut self, app: &App) -> NoiseBegins {
+        let [lowest, _] = LINE_THRESHOLDS;
+        let of = |_: &u64| NoiseBegins::of(app.document(), lowest);
+        *self.noise.get(app.revision(), of)
+    }
+
     fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
         let busy = self.waiting.is_some();
         let (app, theme) = (scene.app, scene.theme);
@@ -206,8 +217,9 @@ impl LookView {
         let budget = (&mut scene.pages.look.numbers, busy);
         let commands = &mut wishes.commands;
         let bare = scene.in_lesson;
+        let noise = self.noise_of(app);
         let sliders = &mut self.sliders;
-        let asked = sliders.show(&mut inside, app, (budget, bare), theme, commands);
+        let asked = sliders.show(&mut inside, app, (budget, bare, noise), theme, commands);
         let Asked {
             automatic,
             reset,
@@ -216,7 +228,7 @@ impl LookView {
         wishes.opens_settings = more;
         if automatic {
             scene.studies.of::<SweepAsk>().retry();
-            let about = About::of(app.document());
+            let about = About::of(&without_noise(app, noise));
             self.waiting = Some((about, scene.pages.look.numbers));
         }
         if reset {
@@ -226,8 +238,9 @@ impl LookView {
 
     /// Carries out what Automatic was asked for, once the sweep is there.
     fn settle(&mut self, scene: &mut Scene<'_>, wishes: &mut Wishes) {
+        let noise = self.noise_of(scene.app);
         if let Some((about, most)) = &self.waiting
-            && let Some(said) = automatic(scene, (about, *most), &mut wishes.commands)
+            && let Some(said) = automatic(scene, (about, *most, noise), &mut wishes.commands)
         {
             self.waiting = None;
             wishes.said = Some(said);
@@ -239,11 +252,11 @@ impl LookView {
 /// be said of it; `None` while something is still computed.
 fn automatic(
     scene: &mut Scene<'_>,
-    (about, most): (&About, usize),
+    (about, most, noise): (&About, usize, NoiseBegins),
     commands: &mut Vec<Command>,
 ) -> Option<(Tone, String)> {
     let told = |words: String| Some((Tone::Info, words));
-    let document = scene.app.document();
+    let document = &*without_noise(scene.app, noise);
     let ask = SweepAsk::of(document);
     if *about != ask.about {
         return told("Automatic gave up: another spectrum is shown.".to_owned());
@@ -255,7 +268,7 @@ fn automatic(
         let words = "There is nothing to measure on this spectrum and range.";
         return (!is_open).then(|| (Tone::Problem, words.to_owned()));
     };
-    let Some((point, measure)) = best_of(&sweep, most) else {
+    let Some((point, measure)) = best_of(&sweep, most, noise.order) else {
         return told(format!("No model takes as few as {}.", numbers(most)));
     };
     let lamps = lamps_asked(document, scene.pages.known_lamps, most);
@@ -287,12 +300,29 @@ fn automatic(
         true => ", colour-exact",
         false => "",
     };
+    let stops = match noise.order == Some(best.order) {
+        true => " More waves would draw the noise.",
+        false => "",
+    };
     told(format!(
-        "The best of all ways with at most {}: {}{fit}, {} waves, {lines}.",
+        "The best of all ways with at most {}: {}{fit}, {} waves, {lines}.{stops}",
         numbers(most),
         best.basis.word(),
         best.order,
     ))
+}
+
+/// The document with a threshold that keeps the lines of the noise out.
+fn without_noise(app: &App, noise: NoiseBegins) -> Cow<'_, Document> {
+    let document = app.document();
+    let settings = noise.without_its_lines(document.settings);
+    match settings == document.settings {
+        true => Cow::Borrowed(document),
+        false => Cow::Owned(Document {
+            settings,
+            ..document.clone()
+        }),
+    }
 }
 
 /// Where plot, knobs and patches stand.

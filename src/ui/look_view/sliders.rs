@@ -5,8 +5,9 @@ use egui::{DragValue, RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Detector, Memo, Settings,
+        App, Command, Detector, Memo, NoiseBegins, Settings,
         answers::{self, LINE_THRESHOLDS},
+        numbers::significant,
         pages::SPENDABLE,
         verdicts::HARD_TO_SEE,
     },
@@ -85,7 +86,7 @@ impl SlidersView {
         &mut self,
         ui: &mut Ui,
         app: &App,
-        ((budget, busy), bare): ((&mut usize, bool), bool),
+        ((budget, busy), bare, noise): ((&mut usize, bool), bool, NoiseBegins),
         theme: Theme,
         commands: &mut Vec<Command>,
     ) -> Asked {
@@ -107,13 +108,13 @@ impl SlidersView {
             &mut child(room.min, knob),
             app,
             &mut settings,
-            (layout.knob, bare),
+            (layout.knob, bare, noise.order),
             theme,
         );
         lines(
             &mut child(second, knob),
             app,
-            shares,
+            (shares, noise.percent),
             &mut settings,
             layout.knob,
             theme,
@@ -208,20 +209,27 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
 
 const BOX: f32 = 44.0;
 
+/// What the tall tick means.
+const NOISE_BEGINS: &str = " The tall tick: the noise begins here. What lies beyond it draws the \
+                            noise of the readings, and Automatic stops there.";
+
 fn waves(
     ui: &mut Ui,
     app: &App,
     settings: &mut Settings,
-    (width, bare): (f32, bool),
+    (width, bare, noise): (f32, bool, Option<usize>),
     theme: Theme,
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
     // In a lesson it would be the answer.
     let from = answers::hard_to_see_from(app).filter(|_| !bare);
-    let does = from.map_or_else(String::new, |order| match order {
+    let seen = from.map(|order| match order {
         0 => "no difference is seen".to_owned(),
         order => format!("looks alike from {order} on"),
     });
+    let drawn = noise.map(|order| format!("draws noise beyond {order}"));
+    let does: Vec<String> = seen.into_iter().chain(drawn).collect();
+    let does = does.join(", ");
     let judged = match from {
         Some(_) => format!(
             " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from so many waves on, judged {}.",
@@ -231,7 +239,8 @@ fn waves(
     };
     let meaning = format!(
         "Waves that draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys move it \
-         by one.{judged}"
+         by one.{judged}{}",
+        noise.map_or("", |_| NOISE_BEGINS)
     );
     caption(ui, width, names::ORDER, &meaning, &does, theme);
     ui.horizontal(|ui| {
@@ -241,6 +250,7 @@ fn waves(
             name: names::ORDER,
             ticks: &[],
             well_from: from.map(|order| place_of_order(order as f64)),
+            noise_from: noise.map(|order| place_of_order(order as f64 + 0.5)),
             stepped: |place, steps| place_of_order((order_at(place) + steps).max(0.0)),
             value: order,
             ends: [0.0, MOST as f64],
@@ -270,17 +280,22 @@ fn place_of(threshold_percent: f64) -> f64 {
 fn lines(
     ui: &mut Ui,
     app: &App,
-    shares: &[f64],
+    (shares, noise): (&[f64], Option<f64>),
     settings: &mut Settings,
     width: f32,
     theme: Theme,
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
-    let meaning = "The least share of the power that a line must hold to be kept as a line of its \
-                   own, a place and a weight: two numbers each. Each tick is a line that drops out \
-                   there.";
-    let does = answers::lines_words(app);
-    caption(ui, width, names::LINES, meaning, &does, theme);
+    let meaning = format!(
+        "The least share of the power that a line must hold to be kept as a line of its own, a \
+         place and a weight: two numbers each. Each tick is a line that drops out there.{}",
+        noise.map_or("", |_| NOISE_BEGINS)
+    );
+    let mut does = answers::lines_words(app);
+    if let Some(percent) = noise {
+        does += &format!(", noise up to {}", significant(percent, 2));
+    }
+    caption(ui, width, names::LINES, &meaning, &does, theme);
     let by_energy = settings.detector == Detector::Energy;
     ui.horizontal(|ui| {
         let [lowest, highest] = LINE_THRESHOLDS;
@@ -294,6 +309,7 @@ fn lines(
             name: names::LINES,
             ticks: &ticks,
             well_from: None,
+            noise_from: noise.map(place_of),
             stepped: |place, steps| place + 0.02 * steps,
             value: settings.threshold_percent,
             ends: LINE_THRESHOLDS,
