@@ -49,9 +49,19 @@ pub(super) fn of_formula(
             found.points.len()
         ));
     }
+    let used = formula.letters();
+    let unused = (0..inputs.len()).filter(|index| !used.contains(index));
+    let unused: Vec<&str> = unused.map(|index| inputs[index].name.as_str()).collect();
+    if !unused.is_empty() {
+        let unused = unused.join(", ");
+        found
+            .notes
+            .push(format!("Not used: {unused}. The formula has no letter for it."));
+    }
     let names: Vec<String> = inputs
         .iter()
         .enumerate()
+        .filter(|(index, _)| used.contains(index))
         .map(|(index, part)| format!("{} = {}", letter(index), part.name))
         .collect();
     let made_by = format!("{text}; {}", names.join("; "));

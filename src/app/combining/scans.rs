@@ -231,13 +231,15 @@ pub fn of_change(
             found.notes.extend(notes);
             Ok(found)
         }
-        Err(ChangeError::CannotSay(why @ RepeatsError::TooFew { scans })) => {
-            let which = match [first.len(), second.len()].map(|len| len == scans) {
-                [true, true] => "Both sets",
-                [true, false] => "The first set",
-                _ => "The second set",
+        Err(ChangeError::CannotSay(why @ RepeatsError::TooFew { .. })) => {
+            let is_stated = |set: &[Measurement]| set.len() == 1 && set[0].sigma.is_some();
+            let is_few = |set: &[Measurement]| set.len() < LEAST_SCANS && !is_stated(set);
+            let which = match [is_few(&first), is_few(&second)] {
+                [true, true] => "Both sets have too few",
+                [true, false] => "The first set has too few",
+                _ => "The second set has too few",
             };
-            let sentence = format!("Cannot say. {which}: {why}");
+            let sentence = format!("Cannot say: {why} {which}.");
             Ok(Found::of_change(Changed::unsaid(), Vec::new(), sentence))
         }
         Err(why) => Err(why.to_string()),

@@ -26,7 +26,11 @@ pub fn text(found: &Found) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "Scan      {}: {}", scan.name, scan_words(scan));
     }
-    let (own, rest) = found.notes();
+    let (mut own, rest) = found.notes();
+    if found.changed.is_some() {
+        // What was asked for is no note.
+        text += &(own.remove(0) + "\n");
+    }
     for note in own.iter().chain(&rest) {
         let _ = writeln!(text, "Note      {note}");
     }
@@ -35,16 +39,16 @@ pub fn text(found: &Found) -> String {
 
 fn words_of(found: &Found, result: &Measurement, text: &mut String) {
     let samples = &result.samples;
+    let quantity = result.quantity.to_string();
     let unit = match result.unit.as_str() {
-        "" => String::new(),
+        unit if unit.is_empty() || unit.eq_ignore_ascii_case(&quantity) => String::new(),
         unit => format!(", {unit}"),
     };
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "{}\n{}{unit}, {} points, {}-{} nm",
+        "{}\n{quantity}{unit}, {} points, {}-{} nm",
         found.made_by,
-        result.quantity,
         samples.len(),
         samples.first_nm(),
         samples.last_nm()
