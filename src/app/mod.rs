@@ -102,10 +102,10 @@ pub use known_lamps::{WordsShown, lamps_asked, lamps_better};
 pub use laid::Laid;
 pub use library::{FindError, Library};
 pub use line_names::{LineName, spike_under};
-pub use noise_begins::NoiseBegins;
 pub use lit::Lit;
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
+pub use noise_begins::NoiseBegins;
 pub use opened::{ImageEntry, Opened};
 pub use pair::{Pair, under_favourites};
 pub use quality::{

@@ -100,7 +100,10 @@ mod tests {
         let document = document(0.03, true);
         let found = NoiseBegins::of(&document, 0.01);
         let own = 100.0 * 1.5 * std::f64::consts::PI.sqrt() / 402.0;
-        assert!(found.percent.is_none_or(|percent| percent < own), "{found:?}");
+        assert!(
+            found.percent.is_none_or(|percent| percent < own),
+            "{found:?}"
+        );
         let at = |percent| NoiseBegins {
             order: None,
             percent,

@@ -166,10 +166,12 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
                 files.remove(0);
             }
             let formula = Formula::parse(&text).map_err(|why| {
-                usage(match word.starts_with(|c: char| "ABC(-0123456789".contains(c)) {
-                    true => why.to_string(),
-                    false => format!("{why}, or alone one of the words {WORDS}"),
-                })
+                usage(
+                    match word.starts_with(|c: char| "ABC(-0123456789".contains(c)) {
+                        true => why.to_string(),
+                        false => format!("{why}, or alone one of the words {WORDS}"),
+                    },
+                )
             })?;
             let least = formula.inputs().max(1);
             let formula = combining::Act::Formula {

@@ -177,11 +177,18 @@ mod tests {
         assert_eq!(found.len(), 1, "{found:?}");
         assert_eq!(found[0].time_ms, 120_000.0);
         let line = found[0].parts.iter();
-        let line = line.clone().find(|part| matches!(part.feature, Feature::Line(_)));
+        let line = line
+            .clone()
+            .find(|part| matches!(part.feature, Feature::Line(_)));
         let line = line.expect("the line");
         // Its share rises from 2.17 to 2.42 % of the power, of their mean by 11 %.
         assert!((line.change - 0.11).abs() < 4.0 * line.u, "{line:?}");
-        assert!(found[0].parts.iter().all(|part| part.feature != Feature::Level));
+        assert!(
+            found[0]
+                .parts
+                .iter()
+                .all(|part| part.feature != Feature::Level)
+        );
     }
 
     #[test]
@@ -204,7 +211,11 @@ mod tests {
             let mean = course.points.iter().map(|at| at[1]).sum::<f64>() / most as f64;
             // 1 % of the level; of a hundred points the band is known to a tenth.
             let exact = 1.96 * 0.01 * mean / frames.sqrt();
-            assert!((course.half / exact - 1.0).abs() < 0.3, "{} {exact}", course.half);
+            assert!(
+                (course.half / exact - 1.0).abs() < 0.3,
+                "{} {exact}",
+                course.half
+            );
         }
         assert_eq!(tracks.courses(Track::Lines, 20), [None]);
     }

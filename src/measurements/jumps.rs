@@ -65,7 +65,15 @@ pub fn jumps(series: &[Vec<f64>]) -> Vec<Moment> {
                 false => 1.0,
             };
             let series = index;
-            (at, Shift { series, change, u, p })
+            (
+                at,
+                Shift {
+                    series,
+                    change,
+                    u,
+                    p,
+                },
+            )
         };
         tested.extend(steps(values).into_iter().map(shift));
     }

@@ -54,9 +54,9 @@ pub(super) fn of_formula(
     let unused: Vec<&str> = unused.map(|index| inputs[index].name.as_str()).collect();
     if !unused.is_empty() {
         let unused = unused.join(", ");
-        found
-            .notes
-            .push(format!("Not used: {unused}. The formula has no letter for it."));
+        found.notes.push(format!(
+            "Not used: {unused}. The formula has no letter for it."
+        ));
     }
     let names: Vec<String> = inputs
         .iter()

@@ -31,7 +31,11 @@ pub fn jump_words(jump: &Jump, light: Option<&Sampled>) -> String {
         match part.feature {
             Feature::Level if part.change > COMES => "the light comes on".to_owned(),
             Feature::Level if part.change < 1.0 / COMES - 1.0 => "the light goes out".to_owned(),
-            _ => format!("{} {}", part_name(part, name.as_deref()), change_words(part)),
+            _ => format!(
+                "{} {}",
+                part_name(part, name.as_deref()),
+                change_words(part)
+            ),
         }
     });
     let words: Vec<String> = words.collect();
