@@ -608,7 +608,7 @@ fn repeats_of_counts_have_lines_and_no_figures() {
         let text = String::from_utf8(out).expect("UTF-8");
         assert!(text.starts_with("scan1, mean of 4\n"), "{text}");
         assert!(
-            text.contains("Line      546.1") && text.contains("Counts, not light"),
+            text.contains("Line      546.") && text.contains("Counts, not light"),
             "{text}"
         );
         assert!(
