@@ -13,7 +13,7 @@ use super::{
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
     io::many::many,
-    spectrum::{Kind, Line, detect},
+    spectrum::{Basis, Kind, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
@@ -222,14 +222,17 @@ fn between(shares: &[f64], count: usize) -> f64 {
     .clamp(lowest, highest)
 }
 
-/// The best model of a sweep with at most so many numbers, up to the order behind which the noise
-/// begins, and the error that it is best by; `None` where nothing fits.
+/// The best model of a sweep with at most so many numbers, up to the last order of each basis that
+/// draws no noise, and the error that it is best by; `None` where nothing fits.
 pub fn best_of(
     sweep: &Sweep,
     numbers: usize,
-    last_order: Option<usize>,
+    last_order: impl Fn(Basis) -> Option<usize>,
 ) -> Option<(&SweepPoint, Measure)> {
-    let is_light = |point: &&SweepPoint| last_order.is_none_or(|last| point.order <= last);
+    let is_light = |point: &&SweepPoint| {
+        let last = last_order(point.way.basis);
+        last.is_none_or(|last| point.order <= last)
+    };
     let affordable = || {
         let within = sweep.points.iter().filter(|point| point.numbers <= numbers);
         within.filter(is_light)

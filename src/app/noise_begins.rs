@@ -3,7 +3,7 @@
 use super::{document::Document, settings::Settings};
 use crate::{
     measurements::{order_of_the_noise, shares_of_the_noise},
-    spectrum::SpikeSettings,
+    spectrum::{Basis, SpikeSettings},
 };
 
 /// Highest order that the noise is looked for below.
@@ -11,6 +11,17 @@ const MOST_ORDER: usize = 40;
 
 /// A threshold is so much above the share of a line that it keeps out.
 const ABOVE: f64 = 1.02;
+
+/// The last order of a basis that draws a document's light and not its noise; `None` where no noise is
+/// known, or none is drawn.
+pub fn last_order_in(document: &Document, basis: Basis) -> Option<usize> {
+    let of = document.subject_entry().measured.as_deref()?;
+    if !document.is_about_light() {
+        return None;
+    }
+    let order = order_of_the_noise(of, document.settings.band, basis);
+    order.filter(|order| *order < MOST_ORDER)
+}
 
 /// Where the noise begins; nothing of it is known of a light without sigma.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,14 +42,13 @@ impl NoiseBegins {
             return Self::default();
         }
         let settings = document.settings;
-        let order = order_of_the_noise(of, settings.band, settings.basis);
         let lowest = SpikeSettings {
             threshold: lowest_percent / 100.0,
             ..settings.spike_settings()
         };
         let shares = shares_of_the_noise(of, settings.band, lowest).into_iter();
         Self {
-            order: order.filter(|order| *order < MOST_ORDER),
+            order: last_order_in(document, settings.basis),
             percent: shares.reduce(f64::max).map(|share| 100.0 * share),
         }
     }

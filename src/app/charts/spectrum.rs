@@ -197,7 +197,15 @@ fn whiskers(app: &App) -> Option<Series> {
     };
     let points: Vec<_> = derived.model.lines().iter().filter_map(whisker).collect();
     let points = points.concat();
-    (!points.is_empty()).then(|| stroke("95 % of the lines", Ink::Text, points, 1.4, Dash::Solid))
+    (!points.is_empty()).then(|| {
+        stroke(
+            "tips of the lines, 95 %",
+            Ink::Text,
+            points,
+            1.4,
+            Dash::Solid,
+        )
+    })
 }
 
 /// The second light over the first, with an edge that keeps it apart from what it runs over.

@@ -24,11 +24,12 @@ use crate::{
     app::{
         App, Command, Document, Memo, NoiseBegins, Pair, SpikeAct, Tone,
         answers::{LINE_THRESHOLDS, best_of, knobs_of},
-        lamps_asked, lamps_better,
+        lamps_asked, lamps_better, last_order_in,
         pages::{Page, PageStates},
         studies::{About, Stage, Studies, SweepAsk},
     },
     io::many::numbers,
+    spectrum::Basis,
 };
 
 #[derive(Default)]
@@ -268,7 +269,9 @@ fn automatic(
         let words = "There is nothing to measure on this spectrum and range.";
         return (!is_open).then(|| (Tone::Problem, words.to_owned()));
     };
-    let Some((point, measure)) = best_of(&sweep, most, noise.order) else {
+    let orders = Basis::ALL.map(|basis| (basis, last_order_in(document, basis)));
+    let last_order = |basis: Basis| orders.iter().find(|of| of.0 == basis)?.1;
+    let Some((point, measure)) = best_of(&sweep, most, last_order) else {
         return told(format!("No model takes as few as {}.", numbers(most)));
     };
     let lamps = lamps_asked(document, scene.pages.known_lamps, most);
@@ -300,7 +303,7 @@ fn automatic(
         true => ", colour-exact",
         false => "",
     };
-    let stops = match noise.order == Some(best.order) {
+    let stops = match last_order(best.basis) == Some(best.order) {
         true => " More waves would draw the noise.",
         false => "",
     };
