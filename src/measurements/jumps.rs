@@ -181,10 +181,11 @@ fn step_at(values: &[f64], at: usize) -> (f64, f64) {
 
 /// Standard deviation of numbers of these sizes, most of which are noise.
 fn quiet(mut sizes: Vec<f64>) -> Option<f64> {
-    sizes.sort_by(f64::total_cmp);
     let most = (QUIET * sizes.len() as f64).ceil() as usize;
-    let squares: f64 = sizes.get(..most)?.iter().map(|size| size * size).sum();
-    (most > 0).then(|| (squares / (most as f64 * OF_QUIET)).sqrt())
+    let last = most.checked_sub(1)?;
+    sizes.select_nth_unstable_by(last, f64::total_cmp);
+    let squares: f64 = sizes[..most].iter().map(|size| size * size).sum();
+    Some((squares / (most as f64 * OF_QUIET)).sqrt())
 }
 
 /// Standard deviation of the values of a series by the differences of neighbours; `None` for too few.
