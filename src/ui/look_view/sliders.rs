@@ -293,7 +293,7 @@ fn lines(
     );
     let mut does = answers::lines_words(app);
     if let Some(percent) = noise {
-        does += &format!(", noise up to {}", significant(percent, 2));
+        does += &format!(", noise up to {} %", significant(percent, 2));
     }
     caption(ui, width, names::LINES, &meaning, &does, theme);
     let by_energy = settings.detector == Detector::Energy;
