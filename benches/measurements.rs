@@ -5,6 +5,11 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
+    app::{
+        Entry,
+        combining::{Act, Part},
+        measured::spectrum,
+    },
     measurements::{Formula, Measurement, Options, Quantity, Repeats, combine, doubts},
     preset,
     spectrum::Sampled,
@@ -56,6 +61,26 @@ fn measurements(c: &mut Criterion) {
     let formula = Formula::parse("A / B").expect("a formula");
     c.bench_function("a quotient of two tables of 2048 points", |b| {
         b.iter(|| combine(black_box(&formula), black_box(&two), Options::default()));
+    });
+    let parts: Vec<Part> = two
+        .iter()
+        .map(|scan| {
+            let mut light = spectrum(scan, "");
+            "W m-2 nm-1".clone_into(&mut light.unit);
+            Part::of_entry(&Entry::own(0, light), false).expect("a light")
+        })
+        .collect();
+    let act = Act::Formula {
+        text: "A - 0.1 * B".to_owned(),
+        keep_all: false,
+        equal: None,
+        of_surface: false,
+    };
+    c.bench_function("all that combine tells of a difference of the two", |b| {
+        b.iter(|| {
+            let found = act.of(black_box(&parts)).expect("a light");
+            (found.figures(), found.notes())
+        });
     });
     c.bench_function("a plain quotient of the same numbers", |b| {
         b.iter(|| {

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
     languages::{fixed, signed},
-    spectrum::{Line, detect},
+    spectrum::{Basis, Kind, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
@@ -232,10 +232,21 @@ fn between(shares: &[f64], count: usize) -> f64 {
     .clamp(lowest, highest)
 }
 
-/// The best model of a sweep with at most so many numbers, and the error that it is best by; `None`
-/// where nothing fits.
-pub fn best_of(sweep: &Sweep, numbers: usize) -> Option<(&SweepPoint, Measure)> {
-    let affordable = || sweep.points.iter().filter(|point| point.numbers <= numbers);
+/// The best model of a sweep with at most so many numbers, up to the last order of each basis that
+/// draws no noise, and the error that it is best by; `None` where nothing fits.
+pub fn best_of(
+    sweep: &Sweep,
+    numbers: usize,
+    last_order: impl Fn(Basis) -> Option<usize>,
+) -> Option<(&SweepPoint, Measure)> {
+    let is_light = |point: &&SweepPoint| {
+        let last = last_order(point.way.basis);
+        last.is_none_or(|last| point.order <= last)
+    };
+    let affordable = || {
+        let within = sweep.points.iter().filter(|point| point.numbers <= numbers);
+        within.filter(is_light)
+    };
     let measures = [Measure::Patches, Measure::Own, Measure::RmsBlurred];
     measures.into_iter().find_map(|measure| {
         let known = affordable().filter_map(|point| Some((point, point.verdict[measure]?)));

@@ -221,7 +221,7 @@ mod tests {
         assert!(off < 1e-4, "{off}");
         let sweep = SweepAsk::of(app.document()).answer(&Progress::default());
         let sweep = sweep.expect("it shines");
-        let best = best_of(&sweep, 21).expect("affordable");
+        let best = best_of(&sweep, 21, |_| None).expect("affordable");
         let said = lamps_better(&about, &found, best).expect("better");
         assert_says(&said, "FL11");
         assert_says(&said, "list of lamps");

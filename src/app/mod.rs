@@ -43,6 +43,7 @@ pub mod measured;
 mod measured_surfaces;
 mod memo;
 mod natural;
+mod noise_begins;
 pub mod numbers;
 pub mod open;
 mod opened;
@@ -104,6 +105,7 @@ pub use line_names::{LineName, spike_under};
 pub use lit::Lit;
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
+pub use noise_begins::{NoiseBegins, last_order_in};
 pub use opened::{ImageEntry, Opened};
 pub use pair::{Pair, under_favourites};
 pub use quality::{

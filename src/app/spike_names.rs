@@ -11,7 +11,11 @@ use super::{
     families::Family,
     line_names::{ElementLine, Identified, LineName},
 };
-use crate::spectrum::Band;
+use crate::{
+    app::measured::is_light,
+    measurements::{LineWithDoubt, lines_of},
+    spectrum::Band,
+};
 
 /// The lines of a light with their names, whatever the settings are. A reflectance emits nothing,
 /// and where dark lines are what stands up between them is none either.
@@ -61,13 +65,18 @@ pub struct Told {
     /// Its title and a sentence.
     pub about: About,
     pub family: Option<&'static Family>,
+    /// Its lines with their doubt, where its noise is known.
+    pub doubted: Vec<LineWithDoubt>,
 }
 
 impl Told {
     /// Of a spectrum, beside all atomic lines.
     pub fn of(entry: &Arc<Entry>, lines: &[ElementLine]) -> Self {
         let light = identified(entry, lines);
+        let measured = entry.measured.as_deref();
+        let noisy = measured.filter(|of| is_light(of) && of.sigma.is_some());
         Self {
+            doubted: noisy.map(lines_of).unwrap_or_default(),
             of: entry.clone(),
             about: About::of(entry),
             family: family(entry, &light),

@@ -30,6 +30,9 @@ use crate::{
 /// Most inputs: as many as there are letters.
 const MOST_INPUTS: usize = 26;
 
+/// The words that stand in place of a formula.
+const WORDS: &str = "mean, splice, slit, unslit, changed, instrument";
+
 /// What is done with the inputs.
 enum Act {
     /// A spectrum is made; of a formula with as many inputs.
@@ -162,7 +165,14 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
                 text = format!("{text} {word}");
                 files.remove(0);
             }
-            let formula = Formula::parse(&text).map_err(|why| usage(why.to_string()))?;
+            let formula = Formula::parse(&text).map_err(|why| {
+                usage(
+                    match word.starts_with(|c: char| "ABC(-0123456789".contains(c)) {
+                        true => why.to_string(),
+                        false => format!("{why}, or alone one of the words {WORDS}"),
+                    },
+                )
+            })?;
             let least = formula.inputs().max(1);
             let formula = combining::Act::Formula {
                 text,

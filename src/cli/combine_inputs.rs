@@ -43,7 +43,13 @@ pub(super) fn read(
             choices,
             ..Wanted::default()
         };
-        beside = vec![inputs.find(word, &wanted).map_err(refused)?.entry];
+        let found = inputs.find(word, &wanted);
+        let is_option = !is_file && word.to_string_lossy().starts_with("--");
+        let found = found.map_err(|why| match is_option {
+            true => refused(format!("{why}; options stand before --")),
+            false => refused(why),
+        })?;
+        beside = vec![found.entry];
     }
     let part = |entry: &Entry| {
         let part = Part::of_entry(entry, stated.as_light);

@@ -19,13 +19,14 @@ use super::{
 };
 use crate::{
     app::{
-        following::ports,
+        following::{jump_words, ports},
         live_figures::{Told, figures},
         measured::spectrum,
     },
     io::shown,
     live::{Live, Reference, Shown, Tracks, clock},
     measurements::Quantity,
+    spectrum::Sampled,
     streams::{Event, Frame, Recorder, Source},
 };
 
@@ -58,6 +59,7 @@ pub(super) fn run(
         options,
         live: Live::new(through.response, options.as_light),
         tracks: Tracks::default(),
+        light: None,
         recorder: match record {
             Some(target) => Some(Recorder::new(created(&target)?)),
             None => None,
@@ -72,6 +74,10 @@ pub(super) fn run(
     let done = session.follow(&mut *source, tracks.as_ref(), out, inputs);
     if let Some(target) = tracks {
         session.save_tracks(&target)?;
+        for jump in session.tracks.jumps() {
+            let words = jump_words(&jump, session.light.as_ref());
+            inputs.remark(&format!("a jump at {words}"));
+        }
     }
     done?;
     let broken = source.broken();
@@ -120,6 +126,8 @@ struct Session<'o> {
     options: &'o Follow,
     live: Live,
     tracks: Tracks,
+    /// The newest light of the tracks.
+    light: Option<Sampled>,
     recorder: Option<Recorder<File>>,
     /// Frames that are still to come of the dark and of the reference.
     dark: usize,
@@ -195,8 +203,9 @@ impl Session<'_> {
             }
         };
         if shown.of.quantity == Quantity::Light && self.options.tracks.is_some() {
-            let light = spectrum(&shown.of, "");
-            self.tracks.push(shown.time_ms, &light.samples);
+            let light = spectrum(&shown.of, "").samples;
+            self.tracks.push(shown.time_ms, &light);
+            self.light = Some(light);
         }
         self.told += 1;
         let figures = figures(&shown, &self.options.figures);

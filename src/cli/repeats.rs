@@ -40,6 +40,9 @@ impl Scans {
         let mean = Act::Mean { keep_all: false };
         let found = mean.of(&parts).map_err(Refusal::File)?;
         let mut made = spectrum(found.result(), &found.made_by);
+        if parts.len() > 1 {
+            made.name = mean.name(&parts);
+        }
         if made.kind == Kind::Other {
             // Counts: told as a light that has no figures.
             made.kind = Kind::Light;

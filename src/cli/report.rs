@@ -40,6 +40,9 @@ pub(super) fn run(
         let app = subject::about_light(scans.entry.clone(), *model);
         return match json {
             true => print_json(out, &scans.json(report::json(&app))),
+            false if scans.found.reading.has_no_figures() => {
+                print(out, &format!("{}\n{}", scans.entry.name(), scans.words()))
+            }
             false => print(out, &(report::text(&app) + &scans.words())),
         };
     }

@@ -157,8 +157,10 @@ fn show(app: &mut App, entry: Entry) {
         Some(_) => Command::Show(entry.into()),
         None => {
             let composites = entry.composite.into_iter().map(|given| (0, given));
+            let measured = entry.measured.into_iter().map(|known| (0, known));
             Command::Open(vec![Opened {
                 composites: composites.collect(),
+                measured: measured.collect(),
                 ..Opened::alone(entry.spectrum, entry.makers)
             }])
         }

@@ -268,6 +268,29 @@ impl Tracks {
     /// The frame of a place, from 0.
     pub fn point(&self, index: usize) -> Option<Point> {
         let (begins_ms, row) = self.row(index)?;
+        Some(self.told(begins_ms, &row))
+    }
+
+    /// The means of frames that follow each other, in at most so many groups of one size, each at the
+    /// time of its first; what was not followed in all of a group has no value in it.
+    pub(super) fn means(&self, most: usize) -> Vec<Point> {
+        let each = self.len().div_ceil(most.max(1)).max(1);
+        let mean = |first: usize| {
+            let (begins_ms, mut sum) = self.row(first)?;
+            let time = sum[0];
+            for index in first + 1..(first + each).min(self.len()) {
+                let (_, row) = self.row(index)?;
+                sum.iter_mut().zip(row).for_each(|(sum, v)| *sum += v);
+            }
+            let count = each.min(self.len() - first) as f32;
+            sum.iter_mut().for_each(|sum| *sum /= count);
+            sum[0] = time;
+            Some(self.told(begins_ms, &sum))
+        };
+        (0..self.len()).step_by(each).filter_map(mean).collect()
+    }
+
+    fn told(&self, begins_ms: f64, row: &[f32; COLUMNS]) -> Point {
         let number = |cell: f32| Some(f64::from(cell)).filter(|number| number.is_finite());
         let weights: Vec<Option<f64>> = row[LINES..][..self.lines.len()]
             .iter()
@@ -281,13 +304,13 @@ impl Tracks {
         );
         let lines = self.lines.iter().zip(&weights);
         let lines = lines.filter_map(|(line, weight)| Some(Line::ideal(line.at_nm, (*weight)?)));
-        Some(Point {
+        Point {
             time_ms: begins_ms + f64::from(row[0]),
             y: f64::from(row[Y]),
             cct: number(row[CCT]),
             composite: Composite::of_lines_inside(smooth, lines.collect()),
             weights,
-        })
+        }
     }
 
     /// All frames, the oldest first.

@@ -7,7 +7,7 @@ use super::error::MeasurementError;
 use crate::spectrum::{Band, Outside, Sampled, SpikeSettings, detect};
 
 /// Cosines of the glow that are compared.
-const COSINES: usize = 7;
+pub const COSINES: usize = 7;
 
 /// Feature that is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{measurement::Measurement, on_nm::OnWholeNm};
 use crate::spectrum::{
-    Band, Basis, BasisTable, Decomposition, GAUSSIAN_AREA, SpikeSettings, detect_shapes, gaussian,
-    narrow_dips, numbers_of_order,
+    Band, Basis, BasisTable, Decomposition, GAUSSIAN_AREA, SpikeSettings, detect, detect_shapes,
+    gaussian, narrow_dips, numbers_of_order,
 };
 
 /// A line is so many times as high as the deepest dip but one near it.
@@ -106,6 +106,20 @@ pub(super) fn weight_of(on_nm: &OnWholeNm, at_nm: f64, width_nm: f64) -> (f64, f
     let weight = (&weights * values)[0];
     let own: Vec<f64> = (0..points).map(|i| weights[i] * inverse(i)).collect();
     (weight, on_nm.doubt_of(first, &own))
+}
+
+/// Shares of the power, in 0-1, of the lines that the detector finds and that noise may have made;
+/// none where no noise is known.
+pub fn shares_of_the_noise(of: &Measurement, band: Band, settings: SpikeSettings) -> Vec<f64> {
+    if of.sigma.is_none() {
+        return Vec::new();
+    }
+    let on_nm = OnWholeNm::of(of, band.min_nm() as u32, band.max_nm() as u32);
+    let all = detect(band, &on_nm.values, settings);
+    let kept = lines_above_noise(band, &on_nm, settings).spikes;
+    let of_noise = all.spikes.iter().filter(|line| !kept.contains(line));
+    let shares = of_noise.map(|line| line.spike.weight / all.power);
+    shares.filter(|share| share.is_finite()).collect()
 }
 
 /// The order of a series from which on more numbers draw the noise of a light and no longer the

@@ -36,6 +36,7 @@
 //! axis          what an axis is off by
 //! instrument    an instrument's response, learnt and taken off
 //! changed       what differs between two sets of scans
+//! jumps         where series over time jump
 //! statistics    Student's t, Holm's procedure
 //! ```
 //!
@@ -64,6 +65,7 @@ mod golden;
 mod golden_slit;
 mod guards;
 mod instrument;
+mod jumps;
 mod kernel;
 mod lines;
 mod mask;
@@ -90,17 +92,18 @@ pub use axis::{AxisFound, axis_of, slit_of_daylight};
 pub use belonging::{Drift, Misfit, drift, misfits};
 pub use changed::{ChangeError, Changed, Part, Verdict, changed};
 pub use combine::{Combined, Options, combine};
-pub use composites::sum_of_composites;
+pub use composites::{Summand, sum_of_composites};
 pub use counts::{CountsSign, counts_sign};
 pub use doubt::{Doubt, Doubted, doubts, missing_light, rounded};
 pub(crate) use draws::normal;
 pub use error::MeasurementError;
-pub use features::Feature;
+pub use features::{COSINES, Feature};
 pub use figures::{FIGURES, Figure, figures_of};
 pub use flat_tops::{FlatTop, flat_tops};
 pub use formula::{Formula, FormulaError};
-pub use guards::order_of_the_noise;
+pub use guards::{order_of_the_noise, shares_of_the_noise};
 pub use instrument::{Instrument, Known, learn};
+pub use jumps::{Moment, Shift, jumps, scatter};
 pub use kernel::{Kernel, Slit};
 pub use lines::{LineWithDoubt, lines_of, lines_of_scans};
 pub use measurement::{Masked, Measurement, letter};

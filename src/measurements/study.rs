@@ -355,15 +355,18 @@ fn no_whole_light_is_clipped_cut_ones_are_told_and_spliced_lamps_keep_their_colo
                     .map(|i| 380.0 + step * f64::from(i))
                     .take_while(|nm| *nm <= 780.0)
                     .collect();
-                let by = 0.9 * full / top(lamp);
-                let counts = |limit: f64| {
+                // The second reaches the end of the scale, as normalised tables do.
+                for share in [0.9, 1.0] {
+                    let by = share * full / top(lamp);
                     let values = nm
                         .iter()
-                        .map(|at| (by * lamp.at(*at, Outside::Hold)).round().min(limit));
-                    of(Sampled::new(nm.clone(), values.collect()).expect("rising"))
-                };
-                let whole = flat_tops(&counts(f64::INFINITY));
-                assert_eq!(whole, [], "{name} {step} {full}");
+                        .map(|at| (by * lamp.at(*at, Outside::Hold)).round());
+                    let whole = of(Sampled::new(nm.clone(), values.collect()).expect("rising"));
+                    // In 8 bit, where it only may be clipped, a coarse top is as flat.
+                    if share < 1.0 || full > 255.0 {
+                        assert_eq!(flat_tops(&whole), [], "{name} {step} {full} {share}");
+                    }
+                }
             }
         }
         let mut draws = normal(3);

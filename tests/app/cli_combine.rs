@@ -545,6 +545,77 @@ fn composites_are_added_on_their_own_numbers() {
         "{lines:?}"
     );
     assert!(numbers(&found["values"]).iter().all(|v| *v == 0.0));
+    // The mean of one is itself, of as many as there are.
+    let line = |found: &Value| -> Vec<[f64; 2]> {
+        let lines = found["lines"].as_array().expect("lines").iter();
+        let number = |line: &Value, key: &str| line[key].as_f64().expect("a number");
+        lines
+            .map(|line| [number(line, "at_nm"), number(line, "weight")])
+            .collect()
+    };
+    let one = json(&["A", "paper/Mercury"]);
+    let mean = json(&[&["mean"][..], &["paper/Mercury"; 4]].concat());
+    for (one, mean) in line(&one).iter().zip(line(&mean)) {
+        assert!((one[0] - mean[0]).abs() < 1e-9 && (one[1] / mean[1] - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(line(&one).len(), line(&mean).len());
+}
+
+#[test]
+fn what_is_not_used_is_said_and_what_was_asked_for_stands_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scans(folder.path(), 4);
+    let [a, b, c] = [0, 1, 2].map(|index| files[index].as_str());
+    let two = said(&["A - B", a, b, c]);
+    assert!(two.starts_with("A - B; A = scan0; B = scan1\n"), "{two}");
+    let unused = "Note      Not used: scan2. The formula has no letter for it.";
+    assert!(two.contains(unused), "{two}");
+    let same = said(&["changed", a, b, c, "--", a, b, c]);
+    assert!(
+        same.starts_with("Same: no difference beyond the noise"),
+        "{same}"
+    );
+    let few = said(&["changed", a, b, "--", a, b, c]);
+    assert!(
+        few.trim_end().ends_with("The first set has too few."),
+        "{few}"
+    );
+    let (_, _, err) = tell(&["changed", a, b, c, "--", a, b, c, "--json"]);
+    assert!(err.contains("options stand before --"), "{err}");
+    let (_, _, err) = tell(&[a, b]);
+    assert!(
+        err.contains("or alone one of the words mean, splice"),
+        "{err}"
+    );
+}
+
+#[test]
+fn repeats_of_counts_have_lines_and_no_figures() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let line = |nm: f64| 200.0 + 9000.0 * (-((nm - 546.1) / 2.0).powi(2)).exp();
+    let scan = |index: u64| {
+        let rows = (380..=780).map(f64::from).zip(noise(index));
+        let rows = rows.map(|(nm, e)| (nm, (line(nm) + 5.0 * e).round()));
+        put(folder.path(), &format!("scan{index}.csv"), "counts", rows)
+    };
+    let files: Vec<String> = (1..5).map(scan).collect();
+    for command in ["report", "light"] {
+        let words = [cli::PROGRAM, command, "--repeats"].into_iter();
+        let words = words.chain(files.iter().map(String::as_str));
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
+        assert_eq!(outcome, Outcome::Done(0));
+        let text = String::from_utf8(out).expect("UTF-8");
+        assert!(text.starts_with("scan1, mean of 4\n"), "{text}");
+        assert!(
+            text.contains("Line      546.") && text.contains("Counts, not light"),
+            "{text}"
+        );
+        assert!(
+            !text.contains("CIEDE2000") && !text.contains("xy "),
+            "{text}"
+        );
+    }
 }
 
 #[test]

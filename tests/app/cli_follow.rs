@@ -161,6 +161,31 @@ fn frames_are_recorded_as_they_came_and_the_recording_plays_the_same() {
 }
 
 #[test]
+fn the_moment_at_which_a_light_jumps_is_told_with_its_tracks() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let frame = |i: u32| {
+        // Half as bright again from 40 s on.
+        let level = if i < 40 { 1.0 } else { 1.5 };
+        let flicker = 1.0 + 0.002 * f64::from(i * 7 % 5);
+        object(level * flicker, &format!(",\"time_ms\":{}", 1000 * i))
+    };
+    let text: String = (0..80).map(frame).collect();
+    let run = put(folder.path(), "run.jsonl", text);
+    let tracks = folder.path().join("tracks.csv");
+    let tracks = tracks.to_str().expect("UTF-8");
+    let (_, err) = said(&[&run, "--replay", "step", "--tracks", tracks]);
+    let jumps: Vec<&str> = err
+        .lines()
+        .filter(|line| line.contains("a jump at"))
+        .collect();
+    assert_eq!(jumps.len(), 1, "{err}");
+    // Half as bright again, less what the flicker takes of it.
+    assert!(jumps[0].contains("0:00:40.0: level +49"), "{err}");
+    let (_, err) = said(&[&run, "--replay", "step"]);
+    assert!(!err.contains("a jump"), "{err}");
+}
+
+#[test]
 fn dark_and_reference_come_first_and_end_with_the_exposure() {
     let folder = tempfile::tempdir().expect("a folder");
     let counts = |factor: f64, ms: u32| {

@@ -19,13 +19,15 @@ use egui_kittest::{
 use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
-        App, Command, Height, Scale, Settings, Subject, Tone, View, chart, charts,
+        App, Command, Entry, Height, Scale, Settings, Subject, Tone, View, chart, charts,
         derived::OF_CURVE,
         export::Export,
+        measured::spectrum,
         verdicts::Seen,
         workspace::{self, Preferences},
     },
     io::read_bytes,
+    measurements::{Measurement, Quantity},
     spectrum::{Band, Kind, Line, NamedSpectrum, Sampled, Sampling},
     study::Measure,
     ui::{
@@ -311,6 +313,36 @@ fn automatic_reset_and_the_papers_settings_are_one_step_each() {
         assert_eq!(app(&ui).document(), &first, "{button}");
         assert!(app(&ui).undo_words().is_none(), "{button}");
     }
+}
+
+#[test]
+fn automatic_stops_where_the_noise_of_a_light_begins() {
+    // One wave in either basis, in noise of a hundredth.
+    let value = |nm: i32| {
+        let x = std::f64::consts::PI * f64::from(nm - 380) / 400.0;
+        let noise = (f64::from(nm) * 12.9898).sin() * 43758.5453;
+        1.0 + 0.3 * (2.0 * x).cos() + 0.03 * (noise - noise.floor() - 0.5)
+    };
+    let samples = Sampled::even(380.0, 1.0, (380..=780).map(value).collect());
+    let mut of = Measurement::new("lamp", Quantity::Light, "", samples.expect("finite"));
+    let entry = |of: &Measurement| Entry {
+        measured: Some(Arc::new(of.clone())),
+        ..Entry::own(1, spectrum(of, ""))
+    };
+    let mut order = |tells: bool| {
+        of.sigma = tells.then(|| vec![0.03 / 12.0_f64.sqrt(); 401]);
+        let mut ui = fresh();
+        apply(&mut ui, Command::Show(Arc::new(entry(&of))));
+        let before = settings(&ui);
+        control(&ui, Role::Button, knobs::AUTOMATIC).click();
+        wait_until(&mut ui, "Automatic", |ui| settings(ui) != before);
+        if tells {
+            assert_written(&ui, "More waves would draw the noise.");
+        }
+        settings(&ui).order
+    };
+    assert_eq!(order(true), 1);
+    assert!(order(false) > 1);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// Half width of 95 % in standard deviations.
-const OF_95: f64 = 1.96;
+pub(super) const OF_95: f64 = 1.96;
 
 /// What a combination made, over the readings of its kind that it was made of.
 pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {

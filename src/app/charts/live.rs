@@ -8,7 +8,7 @@ use crate::{
     },
     color::srgb_of_fill,
     languages::{fixed, said},
-    live::{Shown, Track, Tracks},
+    live::{Course, Jump, Shown, Track, Tracks},
     measurements::{Measurement, Quantity},
     spectrum::Line,
 };
@@ -146,8 +146,8 @@ pub fn track_words(track: Track) -> (&'static str, &'static str) {
 /// Every track.
 pub const TRACKS: [Track; 4] = [Track::Y, Track::Cct, Track::Glow, Track::Lines];
 
-/// A quantity over time.
-pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
+/// A quantity over time, with the band of its noise, and where the light jumps.
+pub fn over_time(tracks: &Tracks, track: Track, jumps: &[Jump]) -> Chart {
     let curves = tracks.curves(track, SPANS);
     let lines = tracks.lines_nm();
     let [first, last] = ends_ms(tracks);
@@ -165,8 +165,9 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
             None => Series::line("", Ink::Measured, points),
         }
     });
-    let series: Vec<Series> = series.collect();
+    let mut series: Vec<Series> = series.collect();
     let is_empty = series.iter().all(|series| series.marks.points().len() < 2);
+    series.extend(bands(tracks, track, [1.0 / ms, factor]));
     let mut chart = Chart {
         title: match track {
             Track::Y => said!("Y over time"),
@@ -201,7 +202,41 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
         }
         _ => [low.min(0.0), high.max(0.0)],
     });
+    if !jumps.is_empty() {
+        let [low, high] = chart.y_limits();
+        let mark = |jump: &Jump| {
+            let at = jump.time_ms / ms;
+            [[at, low], [at, high], [at, f64::NAN]]
+        };
+        let marks = jumps.iter().flat_map(mark).collect();
+        let marks = stroke("jumps", Ink::Faint, marks, 1.2, Dash::Dashed);
+        chart.series.push(marks);
+    }
     chart
+}
+
+/// The bands that hold a quantity 95 times of 100, by the scatter of its frames.
+fn bands(tracks: &Tracks, track: Track, [by_time, by_value]: [f64; 2]) -> Vec<Series> {
+    let lines = tracks.lines_nm();
+    let courses = tracks.courses(track, SPANS).into_iter().enumerate();
+    let band = |(index, course): (usize, Option<Course>)| {
+        let Course { points, half } = course?;
+        let side = |sign: f64| {
+            let value = move |at: &[f64; 2]| by_value * (at[1] + sign * half);
+            points
+                .iter()
+                .map(move |at| [by_time * at[0], value(at)])
+                .collect::<Vec<_>>()
+        };
+        let ink = match lines.get(index).filter(|_| track == Track::Lines) {
+            Some(nm) => Ink::Wavelength(*nm),
+            None => Ink::Measured,
+        };
+        let base = side(-1.0).iter().map(|at| at[1]).collect();
+        let name = if index == 0 { "95 %" } else { "" };
+        Some(Series::area(name, ink, side(1.0), base))
+    };
+    courses.filter_map(band).collect()
 }
 
 /// The times of the first and the newest frame, ms.
@@ -377,11 +412,11 @@ mod tests {
             let most = span.iter().map(|at| at[1]).fold(0.0, f64::max);
             assert!(curve.iter().any(|at| at[1] == most), "{most}");
         }
-        let chart = over_time(&tracks, Track::Y);
+        let chart = over_time(&tracks, Track::Y, &[]);
         assert_eq!(chart.x_label, "Time (min)");
         assert!((chart.x_range[1] - 599.0 / 60.0).abs() < 1e-3);
         assert_eq!(
-            over_time(&tracks, Track::Lines).blank,
+            over_time(&tracks, Track::Lines, &[]).blank,
             "No line was found yet."
         );
     }

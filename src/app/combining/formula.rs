@@ -7,10 +7,11 @@ use super::{
     words::with_half,
 };
 use crate::{
+    app::readings::names_of_lines,
     languages::with_sign,
     measurements::{
-        Formula, Measurement, Normalise, Options, Quantity, combine, letter, normalised, splice,
-        sum_of_composites,
+        Formula, Measurement, Normalise, Options, Quantity, Summand, combine, letter, normalised,
+        splice, sum_of_composites,
     },
     spectrum::{Composite, Sampled},
 };
@@ -49,9 +50,20 @@ pub(super) fn of_formula(
             count = found.points.len()
         ));
     }
+    let used = formula.letters();
+    let unused = (0..inputs.len()).filter(|index| !used.contains(index));
+    let unused: Vec<&str> = unused.map(|index| inputs[index].name.as_str()).collect();
+    if !unused.is_empty() {
+        let unused = unused.join(", ");
+        found.notes.push(tr!(
+            "Not used: {unused}. The formula has no letter for it.",
+            unused
+        ));
+    }
     let names: Vec<String> = inputs
         .iter()
         .enumerate()
+        .filter(|(index, _)| used.contains(index))
         .map(|(index, part)| format!("{} = {}", letter(index), part.name))
         .collect();
     let made_by = format!("{text}; {}", names.join("; "));
@@ -66,12 +78,8 @@ pub(super) fn of_formula(
         intervals: found.intervals,
         ..Found::of(found.result, made_by, from)
     };
-    if let Some((composite, is_brought)) = sum_of(formula, parts) {
-        if is_brought {
-            let why = said!("Cosine and Fourier series are added through the 1 nm grid.");
-            made.notes.push(why.to_owned());
-        }
-        made = of_composite(made, composite)?;
+    if let Some(sum) = sum_of(formula, parts) {
+        made = of_composite(made, sum)?;
     }
     made.tell_lines();
     Ok(made)
@@ -127,13 +135,38 @@ pub(super) fn name_quotient(
 /// The sum of composites on their own numbers, where the formula is one and all inputs are.
 fn sum_of(formula: &Formula, parts: &[Part]) -> Option<(Composite, bool)> {
     let factors = formula.factors()?;
-    let used = factors.iter().zip(parts).filter(|(by, _)| **by != 0.0);
-    let used = used.map(|(by, part)| Some((*by, part.composite.as_deref()?)));
-    sum_of_composites(&used.collect::<Option<Vec<_>>>()?)
+    let used = factors.iter().copied().zip(parts);
+    of_summands(used.filter(|(by, _)| *by != 0.0))
 }
 
-/// A result that is a composite: its table and its lines are that one's.
-fn of_composite(mut made: Found, composite: Composite) -> Result<Found, String> {
+/// A weighted sum of parts that are composites, their lines by name and place; `None` where one is
+/// none, or the ranges differ.
+pub(super) fn of_summands<'a>(
+    parts: impl Iterator<Item = (f64, &'a Part)>,
+) -> Option<(Composite, bool)> {
+    let summand = |(by, part): (f64, &'a Part)| {
+        let of = part.composite.as_deref()?;
+        let places: Vec<f64> = of.lines().iter().map(|line| line.at_nm).collect();
+        Some(Summand {
+            by,
+            of,
+            names: names_of_lines(&part.of.samples, &places),
+            u_at_nm: part.of.axis_nm,
+        })
+    };
+    sum_of_composites(&parts.map(summand).collect::<Option<Vec<_>>>()?)
+}
+
+/// A result that is a composite, and whether a series was brought to another basis: its table and its
+/// lines are that one's.
+pub(super) fn of_composite(
+    mut made: Found,
+    (composite, is_brought): (Composite, bool),
+) -> Result<Found, String> {
+    if is_brought {
+        let why = said!("Cosine and Fourier series are added through the 1 nm grid.");
+        made.notes.push(why.to_owned());
+    }
     let band = composite.band();
     let samples = Sampled::new(band.grid().collect(), composite.on_band());
     let mut result = made.result().clone();

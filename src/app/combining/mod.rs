@@ -64,7 +64,9 @@ impl Act {
                 }
                 found
             }
-            Self::Mean { keep_all } => scans::of_scans(&all(), *keep_all)?,
+            Self::Mean { keep_all } => {
+                scans::of_composites(scans::of_scans(&all(), *keep_all)?, parts)?
+            }
             Self::Splice { is_sound } => formula::of_ranges(&all(), *is_sound)?,
             Self::Slit { fwhm_nm, shape } => slit::through(
                 all(),

@@ -1,7 +1,8 @@
 //! Scans of one light: their mean, those that do not belong, what differs between two sets.
 
 use super::{
-    parts::{doubt_from, with_noise},
+    formula::{of_composite, of_summands},
+    parts::{Part, doubt_from, with_noise},
     result::{Found, LineRow, ScanRow},
     said,
     words::{part_name, sentence},
@@ -17,6 +18,9 @@ use crate::{
 
 /// Fewest scans that tell a spread.
 const LEAST_SCANS: usize = 3;
+
+/// A line of the mean's table is that of the composite up to this distance, nm.
+const SAME_NM: f64 = 1.0;
 
 /// The mean of scans; those that do not belong are left out and said, unless all are to be kept.
 ///
@@ -71,6 +75,34 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, S
         first_nm: vec![parts[0].samples.nm().to_vec()],
         ..Found::of(repeats.mean, made_by, "repeats")
     })
+}
+
+/// The mean of composites is one itself: the mean of their coefficients and of their lines, by name
+/// and place. The spread of the scans stays, where they share their wavelengths with it.
+///
+/// # Errors
+/// A sentence where the composite has no table.
+pub(super) fn of_composites(found: Found, parts: &[Part]) -> Result<Found, String> {
+    let is_kept = |scan: usize| found.scans.get(scan).is_none_or(|scan| scan.is_kept);
+    let kept = || (0..parts.len()).filter(|scan| is_kept(*scan));
+    let by = 1.0 / kept().count() as f64;
+    let Some(sum) = of_summands(kept().map(|scan| (by, &parts[scan]))) else {
+        return Ok(found);
+    };
+    let (known, rows) = (found.result().clone(), found.lines.clone());
+    let mut made = of_composite(found, sum)?;
+    let result = made.result_mut();
+    if result.samples.nm() == known.samples.nm() {
+        result.sigma = known.sigma;
+    }
+    for line in &mut made.lines {
+        let away = |row: &&LineRow| (row.at_nm - line.at_nm).abs();
+        let near = rows.iter().filter(|row| away(row) <= SAME_NM);
+        if let Some(row) = near.min_by(|a, b| away(a).total_cmp(&away(b))) {
+            (line.u, line.is_certain) = (row.u, row.is_certain);
+        }
+    }
+    Ok(made)
 }
 
 /// Scans with those that do not belong left out, unless all are to be kept or too few would stay.
@@ -216,7 +248,13 @@ pub fn of_change(
             Ok(found)
         }
         Err(ChangeError::CannotSay(why @ RepeatsError::TooFew { .. })) => {
-            let sentence = tr!("Cannot say: {why}", why);
+            let is_stated = |set: &[Measurement]| set.len() == 1 && set[0].sigma.is_some();
+            let is_few = |set: &[Measurement]| set.len() < LEAST_SCANS && !is_stated(set);
+            let sentence = match [is_few(&first), is_few(&second)] {
+                [true, true] => tr!("Cannot say: {why} Both sets have too few.", why),
+                [true, false] => tr!("Cannot say: {why} The first set has too few.", why),
+                _ => tr!("Cannot say: {why} The second set has too few.", why),
+            };
             Ok(Found::of_change(Changed::unsaid(), Vec::new(), sentence))
         }
         Err(why) => Err(why.to_string()),

@@ -28,7 +28,11 @@ pub fn text(found: &Found) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "Scan      {}: {}", scan.name, scan_words(scan));
     }
-    let (own, rest) = found.notes();
+    let (mut own, rest) = found.notes();
+    if found.changed.is_some() {
+        // What was asked for is no note.
+        text += &(own.remove(0) + "\n");
+    }
     for note in own.iter().chain(&rest) {
         let _ = writeln!(text, "Note      {note}");
     }
@@ -37,16 +41,16 @@ pub fn text(found: &Found) -> String {
 
 fn words_of(found: &Found, result: &Measurement, text: &mut String) {
     let samples = &result.samples;
+    let quantity = result.quantity.to_string();
     let unit = match result.unit.as_str() {
-        "" => String::new(),
+        unit if unit.is_empty() || unit.eq_ignore_ascii_case(&quantity) => String::new(),
         unit => format!(", {unit}"),
     };
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "{}\n{}{unit}, {} points, {}-{} nm",
+        "{}\n{quantity}{unit}, {} points, {}-{} nm",
         found.made_by,
-        result.quantity,
         samples.len(),
         samples.first_nm(),
         samples.last_nm()
@@ -186,7 +190,7 @@ pub fn headline(found: &Found) -> String {
 }
 
 /// One part that differs, without its amount: `Hg 546`, `glow`, `CCT`.
-pub(super) fn part_name(part: &Part, name: Option<&str>) -> String {
+pub fn part_name(part: &Part, name: Option<&str>) -> String {
     match (part.feature, name) {
         (Feature::Line(_), Some(name)) => name.to_owned(),
         (Feature::Line(at), None) => tr!("line {at}", at = fixed(at, 1)),

@@ -1,13 +1,15 @@
 //! Following a light that changes: a thread reads it, and the window looks at what is newest.
 //!
 //! ```text
-//! source   what may be followed: a file, a folder, TCP, a serial port, a recording; the instrument
-//! stream   its frames, hold, tracks, and how it stands in words
+//! jump_words  jumps in words
+//! source      what may be followed: a file, a folder, TCP, a serial port, a recording; the instrument
+//! stream      its frames, hold, tracks, and how it stands in words
 //! ```
 //!
 //! Frames that come between two looks are averaged, tracked and counted, and not drawn. Nothing
 //! listens unless it is asked for.
 
+mod jump_words;
 mod source;
 mod stream;
 
@@ -32,6 +34,7 @@ use crate::{
     streams::Source,
 };
 
+pub use jump_words::jump_words;
 pub use source::{Asked, NotFollowed, ONLY_ITS_AXIS, Through, ports};
 pub use stream::{Seen, Standing, Stream};
 

@@ -224,7 +224,14 @@ impl Choice {
 }
 
 fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String> {
-    let choice = Choice::of(opened, wanted)?;
+    let sigmas = opened.sigmas.clone();
+    let mut choice = Choice::of(opened, wanted)?;
+    if wanted.spectrum.is_none() && !choice.is_whole {
+        // The sigma of a spectrum belongs to it; who wants it alone names it.
+        let all = std::mem::take(&mut choice.all).into_iter().enumerate();
+        let others = all.filter(|(index, _)| !sigmas.contains(index));
+        choice.all = others.map(|(_, found)| found).collect();
+    }
     let count = choice.all.len();
     let index = match wanted.spectrum {
         Some(pick) => picked(&choice.all, pick).ok_or_else(|| {

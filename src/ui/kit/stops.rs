@@ -19,6 +19,8 @@ pub struct Stops<'a> {
     pub ticks: &'a [f64],
     /// From where on all is well.
     pub well_from: Option<f64>,
+    /// From where on noise is drawn.
+    pub noise_from: Option<f64>,
     /// Where arrow keys lead from a place, by so many of them.
     pub stepped: fn(f64, f64) -> f64,
     /// The value, for screen readers.
@@ -94,6 +96,12 @@ impl Stops<'_> {
             let x = x(*tick);
             let ends = middle + half + 3.0 * scale..=middle + half + 8.0 * scale;
             painter.vline(x, ends, (scale, theme.faint));
+        }
+        if let Some(from) = self.noise_from {
+            // Taller than the ticks, and over the track, of which the rest is noise.
+            let x = x(from);
+            let ends = middle - half - 8.0 * scale..=middle + half + 8.0 * scale;
+            painter.vline(x, ends, (2.0 * scale, theme.warning));
         }
         if let Some(from) = self.well_from {
             let below = middle + half + 5.0 * scale;

@@ -3,6 +3,8 @@
 mod sliders;
 mod title;
 
+use std::borrow::Cow;
+
 use eframe::egui;
 use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
 
@@ -20,13 +22,14 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Pair, SpikeAct, Tone,
-        answers::{best_of, knobs_of},
-        lamps_asked, lamps_better,
+        App, Command, Document, Memo, NoiseBegins, Pair, SpikeAct, Tone,
+        answers::{LINE_THRESHOLDS, best_of, knobs_of},
+        lamps_asked, lamps_better, last_order_in,
         pages::{Page, PageStates},
         studies::{About, Stage, Studies, SweepAsk},
     },
     languages::said,
+    spectrum::Basis,
 };
 
 #[derive(Default)]
@@ -36,6 +39,8 @@ pub struct LookView {
     sliders: SlidersView,
     /// What Automatic was asked about, and for how many numbers, and has not answered yet.
     waiting: Option<(About, usize)>,
+    /// Where the noise of the light begins, by the program's revision.
+    noise: Memo<u64, NoiseBegins>,
 }
 
 /// What the page sees.
@@ -136,8 +141,9 @@ impl LookView {
         let mut inside = ui.new_child(UiBuilder::new().max_rect(room.shrink2(CARD_MARGIN)));
         let mut unused = 0;
         let budget = (&mut unused, false);
+        let noise = self.noise_of(app);
         let sliders = &mut self.sliders;
-        sliders.show(&mut inside, app, (budget, false), theme, commands);
+        sliders.show(&mut inside, app, (budget, false, noise), theme, commands);
         ui.advance_cursor_after_rect(room);
     }
 
@@ -194,6 +200,12 @@ impl LookView {
         wishes
     }
 
+    fn noise_of(&mut self, app: &App) -> NoiseBegins {
+        let [lowest, _] = LINE_THRESHOLDS;
+        let of = |_: &u64| NoiseBegins::of(app.document(), lowest);
+        *self.noise.get(app.revision(), of)
+    }
+
     fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
         let busy = self.waiting.is_some();
         let (app, theme) = (scene.app, scene.theme);
@@ -206,8 +218,9 @@ impl LookView {
         let budget = (&mut scene.pages.look.numbers, busy);
         let commands = &mut wishes.commands;
         let bare = scene.in_lesson;
+        let noise = self.noise_of(app);
         let sliders = &mut self.sliders;
-        let asked = sliders.show(&mut inside, app, (budget, bare), theme, commands);
+        let asked = sliders.show(&mut inside, app, (budget, bare, noise), theme, commands);
         let Asked {
             automatic,
             reset,
@@ -216,7 +229,7 @@ impl LookView {
         wishes.opens_settings = more;
         if automatic {
             scene.studies.of::<SweepAsk>().retry();
-            let about = About::of(app.document());
+            let about = About::of(&without_noise(app, noise));
             self.waiting = Some((about, scene.pages.look.numbers));
         }
         if reset {
@@ -226,8 +239,9 @@ impl LookView {
 
     /// Carries out what Automatic was asked for, once the sweep is there.
     fn settle(&mut self, scene: &mut Scene<'_>, wishes: &mut Wishes) {
+        let noise = self.noise_of(scene.app);
         if let Some((about, most)) = &self.waiting
-            && let Some(said) = automatic(scene, (about, *most), &mut wishes.commands)
+            && let Some(said) = automatic(scene, (about, *most, noise), &mut wishes.commands)
         {
             self.waiting = None;
             wishes.said = Some(said);
@@ -239,11 +253,11 @@ impl LookView {
 /// be said of it; `None` while something is still computed.
 fn automatic(
     scene: &mut Scene<'_>,
-    (about, most): (&About, usize),
+    (about, most, noise): (&About, usize, NoiseBegins),
     commands: &mut Vec<Command>,
 ) -> Option<(Tone, String)> {
     let told = |words: String| Some((Tone::Info, words));
-    let document = scene.app.document();
+    let document = &*without_noise(scene.app, noise);
     let ask = SweepAsk::of(document);
     if *about != ask.about {
         return told(said!("Automatic gave up: another spectrum is shown.").to_owned());
@@ -255,7 +269,9 @@ fn automatic(
         let words = said!("There is nothing to measure on this spectrum and range.");
         return (!is_open).then(|| (Tone::Problem, words.to_owned()));
     };
-    let Some((point, measure)) = best_of(&sweep, most) else {
+    let orders = Basis::ALL.map(|basis| (basis, last_order_in(document, basis)));
+    let last_order = |basis: Basis| orders.iter().find(|of| of.0 == basis)?.1;
+    let Some((point, measure)) = best_of(&sweep, most, last_order) else {
         return told(tr!(
             "No model takes as few as {n} number." | "No model takes as few as {n} numbers." % most
         ));
@@ -294,11 +310,28 @@ fn automatic(
         Some(lines),
     ];
     let model: Vec<&str> = model.into_iter().flatten().collect();
-    told(tr!(
+    let best_of_all = tr!(
         "The best of all ways with at most {n} number: {model}."
             | "The best of all ways with at most {n} numbers: {model}." % most,
         model = model.join(", ")
-    ))
+    );
+    told(match last_order(best.basis) == Some(best.order) {
+        true => [best_of_all.as_str(), said!("More waves would draw the noise.")].join(" "),
+        false => best_of_all,
+    })
+}
+
+/// The document with a threshold that keeps the lines of the noise out.
+fn without_noise(app: &App, noise: NoiseBegins) -> Cow<'_, Document> {
+    let document = app.document();
+    let settings = noise.without_its_lines(document.settings);
+    match settings == document.settings {
+        true => Cow::Borrowed(document),
+        false => Cow::Owned(Document {
+            settings,
+            ..document.clone()
+        }),
+    }
 }
 
 /// Where plot, knobs and patches stand.

@@ -6,8 +6,9 @@ use egui::{RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Detector, Memo, Settings,
+        App, Command, Detector, Memo, NoiseBegins, Settings,
         answers::{self, LINE_THRESHOLDS},
+        numbers::significant,
         pages::SPENDABLE,
         ticks::short,
         verdicts::HARD_TO_SEE,
@@ -88,7 +89,7 @@ impl SlidersView {
         &mut self,
         ui: &mut Ui,
         app: &App,
-        ((budget, busy), bare): ((&mut usize, bool), bool),
+        ((budget, busy), bare, noise): ((&mut usize, bool), bool, NoiseBegins),
         theme: Theme,
         commands: &mut Vec<Command>,
     ) -> Asked {
@@ -110,13 +111,13 @@ impl SlidersView {
             &mut child(room.min, knob),
             app,
             &mut settings,
-            (layout.knob, bare),
+            (layout.knob, bare, noise.order),
             theme,
         );
         lines(
             &mut child(second, knob),
             app,
-            shares,
+            (shares, noise.percent),
             &mut settings,
             layout.knob,
             theme,
@@ -223,20 +224,29 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
 
 const BOX: f32 = 44.0;
 
+/// What the tall tick means.
+const NOISE_BEGINS: &str = later!(
+    "The tall tick: the noise begins here. What lies beyond it draws the noise of the readings, and \
+     Automatic stops there."
+);
+
 fn waves(
     ui: &mut Ui,
     app: &App,
     settings: &mut Settings,
-    (width, bare): (f32, bool),
+    (width, bare, noise): (f32, bool, Option<usize>),
     theme: Theme,
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
     // In a lesson it would be the answer.
     let from = answers::hard_to_see_from(app).filter(|_| !bare);
-    let does = from.map_or_else(String::new, |order| match order {
+    let seen = from.map(|order| match order {
         0 => said!("no difference is seen").to_owned(),
         order => tr!("looks alike from {order} on", order),
     });
+    let drawn = noise.map(|order| tr!("draws noise beyond {order}", order));
+    let does: Vec<String> = seen.into_iter().chain(drawn).collect();
+    let does = does.join(", ");
     let judged = match from {
         Some(_) => tr!(
             "Hard to see: ΔE₀₀ below {limit} from so many waves on, judged {judged_on}.",
@@ -249,7 +259,8 @@ fn waves(
         "Waves that draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys move it \
          by one."
     );
-    let meaning = [meaning, &judged].join(" ");
+    let meaning = [meaning, &judged, noise.map_or("", |_| said(NOISE_BEGINS))].join(" ");
+    let meaning = meaning.replace("  ", " ");
     let meaning = meaning.trim_end();
     caption(ui, width, said(names::ORDER), meaning, &does, theme);
     ui.horizontal(|ui| {
@@ -259,6 +270,7 @@ fn waves(
             name: names::ORDER,
             ticks: &[],
             well_from: from.map(|order| place_of_order(order as f64)),
+            noise_from: noise.map(|order| place_of_order(order as f64 + 0.5)),
             stepped: |place, steps| place_of_order((order_at(place) + steps).max(0.0)),
             value: order,
             ends: [0.0, MOST as f64],
@@ -288,7 +300,7 @@ fn place_of(threshold_percent: f64) -> f64 {
 fn lines(
     ui: &mut Ui,
     app: &App,
-    shares: &[f64],
+    (shares, noise): (&[f64], Option<f64>),
     settings: &mut Settings,
     width: f32,
     theme: Theme,
@@ -298,8 +310,13 @@ fn lines(
         "The least share of the power that a line must hold to be kept as a line of its own, a \
          place and a weight: two numbers each. Each tick is a line that drops out there."
     );
-    let does = answers::lines_words(app);
-    caption(ui, width, said(names::LINES), meaning, &does, theme);
+    let meaning = [meaning, noise.map_or("", |_| said(NOISE_BEGINS))].join(" ");
+    let mut does = answers::lines_words(app);
+    if let Some(percent) = noise {
+        let noise = tr!("noise up to {share} %", share = significant(percent, 2));
+        does = [does, noise].join(", ");
+    }
+    caption(ui, width, said(names::LINES), meaning.trim_end(), &does, theme);
     let by_energy = settings.detector == Detector::Energy;
     ui.horizontal(|ui| {
         let [lowest, highest] = LINE_THRESHOLDS;
@@ -313,6 +330,7 @@ fn lines(
             name: names::LINES,
             ticks: &ticks,
             well_from: None,
+            noise_from: noise.map(place_of),
             stepped: |place, steps| place + 0.02 * steps,
             value: settings.threshold_percent,
             ends: LINE_THRESHOLDS,

@@ -8,10 +8,11 @@ use crate::{
     app::{
         chart::Chart,
         charts::live::{TRACKS, WATERFALL_NM, ends_ms, over_time, track_words, waterfall},
-        following::Following,
+        following::{Following, jump_words},
     },
     languages::said,
-    live::{Track, clock},
+    live::{Jump, Track, clock},
+    spectrum::Sampled,
     ui::{
         kit::{drawing, pressed_small, segments, two_columns},
         pages::{PageContext, PageWish},
@@ -24,6 +25,13 @@ const EVERY: f64 = 1.0;
 
 /// Pixels of the waterfall.
 const PIXELS: [usize; 2] = [401, 240];
+
+/// Jumps that are told in words.
+const MOST_JUMPS: usize = 3;
+
+const JUMPS_MEAN: &str = "Where the five spectra behind a moment differ from the five before it beyond \
+                          their noise and one slope, all moments and quantities tested together at \
+                          5 %: shares of the lines and of the glow, its shape, and the level.";
 
 /// Wavelengths below the waterfall, nm.
 const TICKS: [f64; 4] = [400.0, 500.0, 600.0, 700.0];
@@ -46,6 +54,8 @@ struct Drawn {
     chart: Chart,
     waterfall: Option<TextureHandle>,
     ends_ms: [f64; 2],
+    /// The newest jumps in words.
+    jumps: String,
 }
 
 impl OverTime {
@@ -75,6 +85,11 @@ impl OverTime {
         ui.add_space(4.0);
         self.draw_anew(ui, context.pages.live.track, following);
         let Some(drawn) = &self.drawn else { return };
+        if !drawn.jumps.is_empty() {
+            ui.add(egui::Label::new(&drawn.jumps).wrap())
+                .on_hover_text(JUMPS_MEAN);
+            ui.add_space(4.0);
+        }
         let course = |ui: &mut Ui, context: &mut PageContext<'_>| {
             let size = vec2(ui.available_width(), high);
             context.chart(ui, &drawn.chart, "over time", size);
@@ -105,14 +120,18 @@ impl OverTime {
                 return ui.ctx().request_repaint_after(wait);
             }
         }
-        let (chart, pixels, ends_ms) = {
+        let (chart, pixels, ends_ms, jumps) = {
             let tracks = &following.stream().tracks;
+            let jumps = tracks.jumps();
             (
-                over_time(tracks, track),
+                over_time(tracks, track, &jumps),
                 waterfall(tracks, PIXELS),
                 ends_ms(tracks),
+                jumps,
             )
         };
+        let shown = following.seen().shown.as_ref();
+        let light = shown.map(|shown| &shown.of.samples);
         let waterfall = (!pixels.is_empty()).then(|| {
             let image = swatch::image(PIXELS, &pixels);
             ui.ctx()
@@ -124,7 +143,23 @@ impl OverTime {
             chart,
             waterfall,
             ends_ms,
+            jumps: newest_jumps(&jumps, light),
         });
+    }
+}
+
+/// The newest jumps in a sentence, nothing where there is none.
+fn newest_jumps(jumps: &[Jump], light: Option<&Sampled>) -> String {
+    let newest = jumps.iter().rev().take(MOST_JUMPS);
+    let words: Vec<String> = newest.map(|jump| jump_words(jump, light)).collect();
+    match jumps.len() {
+        0 => String::new(),
+        count if count > MOST_JUMPS => tr!(
+            "{count} jumps, the newest at {jumps}.",
+            count,
+            jumps = words.join("; ")
+        ),
+        _ => tr!("Jumps at {jumps}.", jumps = words.join("; ")),
     }
 }
 
