@@ -4,6 +4,7 @@ use super::{
     combining::{doubts_of, words::figure_words},
     entry::Entry,
     families::{Families, Family},
+    following::{CAPTURED, FOLLOWED},
     line_names::Identified,
     made::is_made,
     readings::COUNTS,
@@ -130,22 +131,25 @@ fn doubt_words(entry: &Entry) -> String {
     format!("{}{of}.", told.join(", "))
 }
 
+/// How a source begins that is a phrase, not a place.
+const ITS_OWN_WORDS: [&str; 3] = ["made ", FOLLOWED, CAPTURED];
+
 fn table_words(entry: &Entry) -> String {
     if is_made(&entry.key) {
         return "Made by this program".to_owned();
     }
-    let steps = steps_words(&entry.spectrum.samples);
+    let (steps, source) = (steps_words(&entry.spectrum.samples), &entry.spectrum.source);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
             let from = table.from_nm.map(|nm| format!(" from {nm} nm data"));
             let of = capitalised(&table.of);
             format!("{of}, {steps}{}", from.unwrap_or_default())
         }
-        None if entry.spectrum.source.is_empty() => String::new(),
-        None if entry.spectrum.source.starts_with("made ") => {
-            format!("{}, {steps}", capitalised(&entry.spectrum.source))
+        None if source.is_empty() => String::new(),
+        None if ITS_OWN_WORDS.iter().any(|words| source.starts_with(words)) => {
+            format!("{}, {steps}", capitalised(source))
         }
-        None => format!("From {}, {steps}", entry.spectrum.source),
+        None => format!("From {source}, {steps}"),
     }
 }
 

@@ -86,7 +86,7 @@ impl Link for Serial {
                         self.port = None;
                         let name = shown(&self.path);
                         Heard::Gone(format!(
-                            "{name} is unplugged: the last frame stays, waiting for it."
+                            "{name} is unplugged: the last spectrum stays, waiting for it."
                         ))
                     }
                 };

@@ -212,6 +212,16 @@ pub(super) fn is_late(error: &io::Error) -> bool {
     )
 }
 
+impl Listener {
+    fn gone(&self) -> String {
+        let address = self.listener.local_addr();
+        let to = address.map_or_else(|_| String::new(), |address| format!(" to {address}"));
+        format!(
+            "The producer is gone: the last spectrum stays, and another producer may connect{to}."
+        )
+    }
+}
+
 impl Link for Listener {
     fn hear(&mut self, patience: Duration) -> Heard {
         let until = Instant::now() + patience;
@@ -230,11 +240,7 @@ impl Link for Listener {
                         Err(error) if is_late(&error) => {}
                         _ => {
                             self.producer = None;
-                            return Heard::Gone(
-                                "The producer is gone: the last frame stays, and another may \
-                                 connect."
-                                    .to_owned(),
-                            );
+                            return Heard::Gone(self.gone());
                         }
                     }
                 }

@@ -11,8 +11,10 @@ use super::{
 use crate::{
     app::{
         App,
+        answers::judged,
         derived::Colour,
         figures::{OF_COLOUR, OF_LIGHT, SHARES, by_key},
+        readings::COUNTS,
     },
     color::Swatch,
     io::many::capitalised,
@@ -27,8 +29,10 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
         section(ui, "Colour and error");
     }
     let colour = &app.derived().colour;
-    let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
+    let is_counts = judged(app) == Err(COUNTS);
+    let (Some(exact), Some(model), false) = (colour.exact, colour.model, is_counts) else {
         ui.weak(match colour.exact {
+            _ if is_counts => COUNTS,
             None => "No visible light in this range: there is no colour to show.",
             Some(_) => "The model has no colour in this range: there is nothing to compare.",
         });

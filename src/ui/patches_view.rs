@@ -10,8 +10,13 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
-        under_favourites, verdicts::Seen,
+        App, Command, Library, Lit,
+        answers::{judged, set_title},
+        chart::elided,
+        derived::PatchPair,
+        readings::COUNTS,
+        under_favourites,
+        verdicts::Seen,
     },
     color::Swatch,
 };
@@ -92,7 +97,10 @@ pub(super) fn patches(
     let Some(fields) = Fields::of(app, whole) else {
         if app.document().is_about_light() {
             ui.add_space(6.0);
-            ui.weak("There is no visible light in this range: surfaces would be black.");
+            ui.weak(match judged(app) {
+                Err(COUNTS) => COUNTS,
+                _ => "There is no visible light in this range: surfaces would be black.",
+            });
         } else {
             under_lights(ui, app, theme);
         }
@@ -155,7 +163,8 @@ struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// `None` where no light falls on surfaces.
     fn of(app: &'a App, whole: bool) -> Option<Self> {
-        let patches = app.derived().patches.as_ref()?;
+        let patches = app.derived().patches.as_ref();
+        let patches = patches.filter(|_| judged(app) != Err(COUNTS))?;
         if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
             let field = |lit: &'a Lit| Field {
                 name: &lit.name,

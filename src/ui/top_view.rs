@@ -12,7 +12,7 @@ use super::{
     theme::{FINGER, Theme, grey},
     top_menus::{open_menu, save_menu},
 };
-use crate::app::{App, workspace::Preferences};
+use crate::app::{App, answers::judged, readings::COUNTS, workspace::Preferences};
 
 /// How the drawer stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -135,6 +135,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let document = app.document();
     let name = document.subject_entry().name();
     let colour = app.derived().colour.exact.or(app.derived().colour.full);
+    let colour = colour.filter(|_| judged(app) != Err(COUNTS));
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();

@@ -233,7 +233,7 @@ fn nothing_listens_before_it_is_asked_for_and_a_producer_that_goes_is_told() {
     assert_written(&ui, "1 broken line skipped");
     drop(producer);
     wait_until(&mut ui, "the producer's end", |ui| {
-        is_written(ui, "The producer is gone: the last frame stays")
+        is_written(ui, "The producer is gone: the last spectrum stays")
     });
     assert!((at_400(&ui) / 2.08 - 1.0).abs() < 1e-9);
     click(&mut ui, names::STOP);
@@ -262,7 +262,7 @@ fn a_recording_is_played_with_what_is_clipped_and_its_course() {
     click(&mut ui, names::RECORDING);
     wait_until(&mut ui, "its end", |ui| is_written(ui, "It has ended"));
     assert_written(&ui, "Clipped at 483 to 780 nm");
-    assert_written(&ui, "counts of an instrument, no light yet");
+    assert_written(&ui, "counts, not light");
     assert_written(
         &ui,
         "Waterfall: wavelengths from left to right, 0:00:00.0 above",

@@ -1,12 +1,12 @@
 //! The stream over time: a quantity as a curve, and the waterfall beside it.
 
 use eframe::egui;
-use egui::{Align2, FontId, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
+use egui::{Align2, Color32, FontId, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
 use super::names;
 use crate::{
     app::{
-        chart::Chart,
+        chart::{Chart, Ink},
         charts::live::{TRACKS, WATERFALL_NM, ends_ms, over_time, track_words, waterfall},
         following::Following,
     },
@@ -15,6 +15,7 @@ use crate::{
         kit::{drawing, pressed_small, segments, two_columns},
         pages::{PageContext, PageWish},
         swatch,
+        theme::Theme,
     },
 };
 
@@ -31,6 +32,9 @@ const TICKS: [f64; 4] = [400.0, 500.0, 600.0, 700.0];
 const TIMES: f32 = 66.0;
 const BELOW: f32 = 18.0;
 
+/// Height of the row above both with the space around it, points.
+pub(super) const HEAD: f32 = 44.0;
+
 /// Width from which both stand side by side, points.
 const WIDE: f32 = 620.0;
 
@@ -39,9 +43,17 @@ pub(super) struct OverTime {
     drawn: Option<Drawn>,
 }
 
+/// What it is drawn of.
+#[derive(Clone, Copy, PartialEq)]
+struct Of {
+    count: u64,
+    track: Track,
+    held_ms: Option<f64>,
+}
+
 struct Drawn {
     at: f64,
-    of: (u64, Track),
+    of: Of,
     chart: Chart,
     waterfall: Option<TextureHandle>,
     ends_ms: [f64; 2],
@@ -78,8 +90,8 @@ impl OverTime {
             let size = vec2(ui.available_width(), high);
             context.chart(ui, &drawn.chart, "over time", size);
         };
-        let fall = |ui: &mut Ui, _: &mut PageContext<'_>| {
-            paint(ui, drawn, high);
+        let fall = |ui: &mut Ui, context: &mut PageContext<'_>| {
+            paint(ui, context.theme, drawn, high);
         };
         match ui.available_width() >= WIDE * context.theme.scale {
             true => two_columns(ui, context, course, fall),
@@ -94,12 +106,17 @@ impl OverTime {
     /// Draws it again where it is older than a moment.
     fn draw_anew(&mut self, ui: &Ui, track: Track, following: &Following) {
         let now = ui.input(|i| i.time);
-        let of = (following.seen().count, track);
+        let of = Of {
+            count: following.seen().count,
+            track,
+            held_ms: following.seen().held_ms,
+        };
         if let Some(drawn) = &self.drawn {
             if drawn.of == of {
                 return;
             }
-            if drawn.of.1 == track && (0.0..EVERY).contains(&(now - drawn.at)) {
+            let is_other = (drawn.of.track, drawn.of.held_ms) != (track, of.held_ms);
+            if !is_other && (0.0..EVERY).contains(&(now - drawn.at)) {
                 let wait = std::time::Duration::from_secs_f64(EVERY);
                 return ui.ctx().request_repaint_after(wait);
             }
@@ -107,7 +124,7 @@ impl OverTime {
         let (chart, pixels, ends_ms) = {
             let tracks = &following.stream().tracks;
             (
-                over_time(tracks, track),
+                over_time(tracks, track, of.held_ms),
                 waterfall(tracks, PIXELS),
                 ends_ms(tracks),
             )
@@ -128,7 +145,7 @@ impl OverTime {
 }
 
 /// The waterfall with its times at the left and wavelengths below.
-fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
+fn paint(ui: &mut Ui, theme: Theme, drawn: &Drawn, high: f32) {
     let [first, last] = drawn.ends_ms.map(clock);
     let name = format!("Waterfall: wavelengths from left to right, {first} above, {last} below");
     let size = vec2(ui.available_width(), high);
@@ -156,6 +173,10 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
         let at = pos2(picture.left() - 6.0, y);
         painter.text(at, align, words, font.clone(), ink);
     }
+    if let Some(held_ms) = drawn.of.held_ms {
+        let colour = theme.ink(Ink::Second);
+        held(ui, drawn, held_ms, picture, (font.clone(), colour));
+    }
     let [from, to] = WATERFALL_NM;
     for nm in TICKS {
         let share = ((nm - from) / (to - from)) as f32;
@@ -174,4 +195,27 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     response.on_hover_text(
         "Every row is a moment, the first above; as bright as the light was at each wavelength.",
     );
+}
+
+/// A mark over the waterfall at the moment that is held.
+fn held(
+    ui: &Ui,
+    drawn: &Drawn,
+    held_ms: f64,
+    picture: Rect,
+    (font, colour): (FontId, Color32),
+) {
+    let [first, last] = drawn.ends_ms;
+    if !(first..=last).contains(&held_ms) || first == last {
+        return;
+    }
+    let y = picture.top() + ((held_ms - first) / (last - first)) as f32 * picture.height();
+    let painter = ui.painter();
+    painter.hline(picture.x_range(), y, (1.6, colour));
+    // Not over the times at both ends.
+    let room = 2.0 * font.size;
+    if (picture.top() + room..picture.bottom() - room).contains(&y) {
+        let at = pos2(picture.left() - 6.0, y);
+        painter.text(at, Align2::RIGHT_CENTER, "held", font, colour);
+    }
 }
