@@ -4,9 +4,9 @@ use super::{
     combining::{doubts_of, words::figure_words},
     entry::Entry,
     families::{Families, Family},
-    following::{CAPTURED, FOLLOWED},
     line_names::Identified,
     made::is_made,
+    origin::{CAPTURED, FOLLOWED},
     readings::COUNTS,
     ticks::{extent, short},
     tint::kelvin_words,
@@ -204,6 +204,22 @@ mod tests {
             about("cie_illuminants/CIE A").title(),
             "CIE A: standard tungsten bulb, 2860 K"
         );
+    }
+
+    #[test]
+    fn where_a_spectrum_is_from_is_a_sentence_whoever_wrote_it() {
+        let of = |source: &str| {
+            let shipped = &bundled_entries()[0].spectrum;
+            let source = source.to_owned();
+            let own = crate::spectrum::NamedSpectrum {
+                source,
+                ..shipped.clone()
+            };
+            About::of(&Entry::own(0, own)).table
+        };
+        assert!(of("followed from COM3").starts_with("Followed from COM3, "));
+        assert!(of("captured from COM3").starts_with("Captured from COM3, "));
+        assert!(of("lamp.csv").starts_with("From lamp.csv, "));
     }
 
     #[test]

@@ -152,7 +152,9 @@ impl Told {
 /// Three digits, noughts kept where they fit: a number that flickers must not change its length.
 fn three_digits(value: f64) -> String {
     match value.abs() {
-        size if (0.01..1000.0).contains(&size) => fixed(value, (2.0 - size.log10().floor()) as usize),
+        size if (0.01..1000.0).contains(&size) => {
+            fixed(value, (2.0 - size.log10().floor()) as usize)
+        }
         _ => significant(value, 3),
     }
 }

@@ -4,11 +4,12 @@
 use crate::{
     app::{
         App, Detector, Settings,
-        answers::{LINE_THRESHOLDS, hard_to_see_from, line_shares},
+        answers::{LINE_THRESHOLDS, hard_to_see_from, judged, line_shares},
         behind_slit::without_lines,
         lessons::{Lesson, shelf},
         numbers::figure,
         pages::Page,
+        readings::COUNTS,
         ticks::short,
     },
     io::many::many,
@@ -26,6 +27,12 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         .filter_map(|spike| derived.parts.share(spike.weight))
         .sum();
     let settings = &app.document().settings;
+    if judged(app) == Err(COUNTS) {
+        return (
+            format!("{} in the counts.", many(spikes.len(), "line", "lines")),
+            "Combine corrects them with a known light: which light are they?".to_owned(),
+        );
+    }
     if spikes.is_empty() && derived.measured.iter().all(|value| *value <= 0.0) {
         let [from, to] = [derived.band.min_nm(), derived.band.max_nm()];
         let notice = format!("Nothing above zero lies between {from} and {to} nm.");

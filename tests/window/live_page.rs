@@ -10,7 +10,7 @@ use std::{
 
 use eframe::egui;
 use egui::{Key, Role};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
         Command, Entry,
@@ -146,6 +146,8 @@ fn space_holds_and_enter_captures_and_undo_knows_captures() {
     ui.key_press(Key::Space);
     ui.run();
     assert_written(&ui, "Held at 0:01:01.0; nothing came since.");
+    // The picture says so itself, and its course where it stopped.
+    assert_written(&ui, "meter, held at 0:01:01.0");
     put(&meter, &line(62_000.0, 2.0));
     wait_until(&mut ui, "what came since", |ui| {
         is_written(ui, "1 spectrum came since")
@@ -225,6 +227,12 @@ fn nothing_listens_before_it_is_asked_for_and_a_producer_that_goes_is_told() {
     wait_until(&mut ui, "an open port", |ui| {
         is_written(ui, &format!("127.0.0.1:{port}"))
     });
+    // What to send is told, and what needs a spectrum waits for one.
+    assert_written(&ui, "A line is one spectrum");
+    for name in [names::HOLD, names::CAPTURE, names::DARK, names::REFERENCE] {
+        let button = ui.get_by_role_and_label(Role::Button, name);
+        assert!(button.accesskit_node().is_disabled(), "{name}");
+    }
     let mut producer = connect().expect("it listens");
     producer
         .write_all(format!("no numbers\n{}", line(0.0, 2.0)).as_bytes())
@@ -235,6 +243,7 @@ fn nothing_listens_before_it_is_asked_for_and_a_producer_that_goes_is_told() {
     wait_until(&mut ui, "the producer's end", |ui| {
         is_written(ui, "The producer is gone: the last spectrum stays")
     });
+    assert_written(&ui, &format!("may connect to 127.0.0.1:{port}."));
     assert!((at_400(&ui) / 2.08 - 1.0).abs() < 1e-9);
     click(&mut ui, names::STOP);
     wait_until(&mut ui, "a closed port", |_| connect().is_err());
@@ -280,6 +289,49 @@ fn a_recording_is_played_with_what_is_clipped_and_its_course() {
         is_written(ui, "Nothing is followed: ")
     });
     assert_written(&ui, "no such file");
+}
+
+#[test]
+fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sensor = folder.path().join("sensor.jsonl");
+    let nm: Vec<f64> = (380..=780).map(f64::from).collect();
+    let values: Vec<f64> = nm.iter().map(|nm| (4.0 * nm).floor()).collect();
+    // No unit tells it: the whole numbers do.
+    let counts = format!("{{\"wavelength_nm\":{nm:?},\"values\":{values:?}}}\n");
+    fs::write(&sensor, counts).expect("written");
+    let mut ui = window(no_files());
+    follow(&mut ui, Asked::Path(sensor));
+    wait_until(&mut ui, "the counts", |ui| {
+        is_written(ui, "sensor: counts, not light")
+    });
+    let judged = ["To the eye: ", "White", "Colour: measured", "look alike"];
+    for page in [Page::Live, Page::Spectrum] {
+        ui.state_mut().0.preferences.page = page;
+        ui.run();
+        assert_written(
+            &ui,
+            "Counts, not light: the instrument's response is still in it.",
+        );
+        // The shape is compared all the same.
+        assert_written(&ui, "To an instrument: ");
+        for words in judged {
+            assert!(!is_written(&ui, words), "{page:?}: {words}");
+        }
+    }
+    ui.state_mut().0.preferences.page = Page::Live;
+    ui.run();
+    assert_written(&ui, "a course begins with the first spectrum of a light");
+    ui.get_by_role_and_label(Role::CheckBox, names::AS_LIGHT)
+        .click();
+    wait_until(&mut ui, "its figures", |ui| is_written(ui, "sensor: CCT"));
+    for words in judged {
+        assert_written(&ui, words);
+    }
+    // They stay marked where the spectrum is told.
+    ui.state_mut().0.preferences.page = Page::Spectrum;
+    ui.run();
+    assert_written(&ui, "These may be counts, not light");
 }
 
 #[test]

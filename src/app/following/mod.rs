@@ -20,6 +20,7 @@ use std::{
 use super::{
     entry::Entry,
     measured::{has_doubt, spectrum},
+    origin::{CAPTURED, FOLLOWED},
     pages::LiveMemory,
     state::{App, Tone},
     worker::{Tell, Wake, Worker},
@@ -37,10 +38,6 @@ pub use stream::{Seen, Standing, Stream};
 
 /// How long the thread waits for an event before it looks whether it is still wanted.
 const PATIENCE: Duration = Duration::from_millis(100);
-
-/// What stands in a spectrum's source before the name of what it was followed and captured from.
-pub(super) const FOLLOWED: &str = "followed from ";
-pub(super) const CAPTURED: &str = "captured from ";
 
 /// What is to be followed.
 #[derive(Clone, Debug, PartialEq)]

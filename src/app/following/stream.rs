@@ -161,9 +161,8 @@ impl Stream {
                 false => format!("{from} to {to}"),
             })
             .collect();
-        let clipped = (!clipped.is_empty()).then(|| {
-            format!("Clipped at {} nm: {CLIPPED}", clipped.join(", "))
-        });
+        let clipped = (!clipped.is_empty())
+            .then(|| format!("Clipped at {} nm: {CLIPPED}", clipped.join(", ")));
         let Broken { count, last } = &self.broken;
         let broken = (*count > 0).then(|| {
             let lines = many(*count as usize, "broken line", "broken lines");

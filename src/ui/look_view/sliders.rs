@@ -217,7 +217,7 @@ fn waves(
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
     // In a lesson it would be the answer.
-    let from = answers::hard_to_see_from(app).filter(|_| !bare);
+    let from = answers::hard_to_see_from(app).filter(|_| !bare && answers::judged(app).is_ok());
     let does = from.map_or_else(String::new, |order| match order {
         0 => "no difference is seen".to_owned(),
         order => format!("looks alike from {order} on"),

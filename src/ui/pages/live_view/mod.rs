@@ -383,7 +383,9 @@ fn beside(ui: &mut Ui, theme: Theme, told: &[Told]) {
     }
     for told in told {
         ui.label(RichText::new(told.name()).color(theme.faint));
-        let number = RichText::new(told.number()).size(24.0 * theme.scale).strong();
+        let number = RichText::new(told.number())
+            .size(24.0 * theme.scale)
+            .strong();
         let number = ui.add(egui::Label::new(number).truncate());
         let why = told.value.as_ref().err();
         number.on_hover_text(why.map_or(told.figure.meaning, |why| why));

@@ -198,13 +198,7 @@ fn paint(ui: &mut Ui, theme: Theme, drawn: &Drawn, high: f32) {
 }
 
 /// A mark over the waterfall at the moment that is held.
-fn held(
-    ui: &Ui,
-    drawn: &Drawn,
-    held_ms: f64,
-    picture: Rect,
-    (font, colour): (FontId, Color32),
-) {
+fn held(ui: &Ui, drawn: &Drawn, held_ms: f64, picture: Rect, (font, colour): (FontId, Color32)) {
     let [first, last] = drawn.ends_ms;
     if !(first..=last).contains(&held_ms) || first == last {
         return;
