@@ -53,7 +53,7 @@ fn name(measure: Measure) -> String {
 /// The chosen quantity where it exists: a reflectance has no patches, counts have no colour.
 fn shown(app: &App, chosen: Measure) -> Measure {
     if chosen.is_colour() && judged(app) == Err(COUNTS) {
-        return Measure::Rms;
+        return Measure::RmsBlurred;
     }
     let of_patches = matches!(chosen, Measure::Patches | Measure::PatchesWorst);
     if of_patches && app.derived().patches.is_none() {

@@ -98,7 +98,7 @@ pub(super) fn patches(
         if app.document().is_about_light() {
             ui.add_space(6.0);
             ui.weak(match judged(app) {
-                Err(COUNTS) => COUNTS,
+                Err(COUNTS) => "Counts are no light that surfaces could be seen under.",
                 _ => "There is no visible light in this range: surfaces would be black.",
             });
         } else {

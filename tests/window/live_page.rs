@@ -14,6 +14,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
         Command, Entry,
+        charts::spectrum::spectrum_chart,
         following::{Asked, FollowAsked, is_capture},
         pages::{AskedLesson, Page},
         workspace::Preferences,
@@ -296,7 +297,9 @@ fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let sensor = folder.path().join("sensor.jsonl");
     let nm: Vec<f64> = (380..=780).map(f64::from).collect();
-    let values: Vec<f64> = nm.iter().map(|nm| (4.0 * nm).floor()).collect();
+    let value = |nm: f64| 1.0 + 0.002 * (nm - 380.0) + 5.0 * (-((nm - 546.1) / 2.0).powi(2)).exp();
+    let values = nm.iter().map(|nm| (600.0 * value(*nm)).floor());
+    let values: Vec<f64> = values.collect();
     // No unit tells it: the whole numbers do.
     let counts = format!("{{\"wavelength_nm\":{nm:?},\"values\":{values:?}}}\n");
     fs::write(&sensor, counts).expect("written");
@@ -305,6 +308,7 @@ fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
     wait_until(&mut ui, "the counts", |ui| {
         is_written(ui, "sensor: counts, not light")
     });
+    let labels = |ui: &Ui| format!("{:?}", spectrum_chart(app(ui)));
     let judged = ["To the eye: ", "White", "Colour: measured", "look alike"];
     for page in [Page::Live, Page::Spectrum] {
         ui.state_mut().0.preferences.page = page;
@@ -318,6 +322,9 @@ fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
         for words in judged {
             assert!(!is_written(&ui, words), "{page:?}: {words}");
         }
+        // Lines have their places, and no powers.
+        assert!(labels(&ui).contains("Hg 546.1"));
+        assert!(!labels(&ui).contains("of the power"));
     }
     ui.state_mut().0.preferences.page = Page::Live;
     ui.run();
@@ -328,6 +335,7 @@ fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
     for words in judged {
         assert_written(&ui, words);
     }
+    assert!(labels(&ui).contains("of the power"));
     // They stay marked where the spectrum is told.
     ui.state_mut().0.preferences.page = Page::Spectrum;
     ui.run();
