@@ -399,5 +399,8 @@ fn the_page_has_room_in_every_window_and_is_presented_whole() {
             hold.right() <= size[0] && hold.bottom() <= size[1],
             "{hold:?}"
         );
+        // What is over time begins in sight, however large the type.
+        let course = ui.get_by_role_and_label(Role::Button, names::SAVE).rect();
+        assert!(course.bottom() <= size[1], "{course:?}");
     }
 }

@@ -146,24 +146,15 @@ impl LiveView {
                 }
                 return;
             };
-            let scale = context.theme.scale;
-            let left = room - (ui.cursor().top() - top) - captures::height(context);
+            let used = ui.cursor().top() - top + captures::height(context);
             let has_course = !following.stream().tracks.is_empty();
-            let head = over_time::HEAD * scale + GROUP;
-            let high = |(part, least): (f32, f32)| (part * (left - head)).max(least * scale);
+            let [high, of_course] = heights(room - used, context.theme.scale, has_course);
+            self.spectrum(ui, context, (seen, shown), &told, high);
+            captures::show(ui, context);
+            ui.add_space(GROUP);
             match has_course {
-                true => {
-                    self.spectrum(ui, context, (seen, shown), &told, high(SPECTRUM));
-                    captures::show(ui, context);
-                    ui.add_space(GROUP);
-                    self.course.show(ui, context, &following, high(COURSE));
-                }
+                true => self.course.show(ui, context, &following, of_course),
                 false => {
-                    let (_, least) = SPECTRUM;
-                    let high = (left - head).max(least * scale);
-                    self.spectrum(ui, context, (seen, shown), &told, high);
-                    captures::show(ui, context);
-                    ui.add_space(GROUP);
                     let words = "Over time: a course begins with the first spectrum of a light.";
                     let words = RichText::new(words).color(context.theme.faint);
                     ui.add(egui::Label::new(words).wrap());
@@ -217,6 +208,17 @@ impl LiveView {
             let size = vec2(FIGURES * scale, high);
             down(ui, size, |ui| beside(ui, context.theme, told));
         });
+    }
+}
+
+/// Heights of the spectrum and of what is over time, in the room that is left for both. Where it is
+/// too low for both the spectrum takes it, and the other is scrolled to whole.
+fn heights(left: f32, scale: f32, has_course: bool) -> [f32; 2] {
+    let left = left - over_time::HEAD * scale - GROUP;
+    let (of_spectrum, of_course) = (SPECTRUM.1 * scale, COURSE.1 * scale);
+    match has_course && left >= of_spectrum + of_course {
+        true => [SPECTRUM, COURSE].map(|(part, least)| (part * left).max(least * scale)),
+        false => [left.max(of_spectrum), of_course.max(0.5 * left)],
     }
 }
 

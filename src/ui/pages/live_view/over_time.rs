@@ -150,18 +150,18 @@ fn paint(ui: &mut Ui, theme: Theme, drawn: &Drawn, high: f32) {
     let name = format!("Waterfall: wavelengths from left to right, {first} above, {last} below");
     let size = vec2(ui.available_width(), high);
     let (rect, response) = drawing(ui, size, Sense::hover(), &name);
-    let corner = rect.min + vec2(TIMES, 4.0);
-    let picture = Rect::from_min_max(corner, rect.max - vec2(8.0, BELOW));
+    let corner = rect.min + vec2(TIMES * theme.scale, 4.0);
+    let picture = Rect::from_min_max(corner, rect.max - vec2(8.0, BELOW * theme.scale));
     let painter = ui.painter();
     let ink = ui.visuals().text_color();
-    let font = FontId::proportional(11.0);
+    let font = FontId::proportional(11.0 * theme.scale);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match &drawn.waterfall {
         Some(texture) => drop(painter.image(texture.id(), picture, whole, egui::Color32::WHITE)),
         None => {
             painter.rect_filled(picture, 0.0, egui::Color32::BLACK);
             let words = "There was no light yet.".to_owned();
-            let font = FontId::proportional(12.0);
+            let font = FontId::proportional(12.0 * theme.scale);
             let ink = egui::Color32::from_gray(180);
             painter.text(picture.center(), Align2::CENTER_CENTER, words, font, ink);
         }
