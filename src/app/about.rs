@@ -6,6 +6,7 @@ use super::{
     families::{Families, Family},
     line_names::Identified,
     made::is_made,
+    origin::{CAPTURED, FOLLOWED},
     readings::COUNTS,
     ticks::{extent, short},
     tint::kelvin_words,
@@ -134,7 +135,7 @@ fn table_words(entry: &Entry) -> String {
     if is_made(&entry.key) {
         return said!("Made by this program").to_owned();
     }
-    let steps = steps_words(&entry.spectrum.samples);
+    let (steps, source) = (steps_words(&entry.spectrum.samples), &entry.spectrum.source);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
             let table_of = capitalised(&table.of);
@@ -143,15 +144,13 @@ fn table_words(entry: &Entry) -> String {
                 None => format!("{table_of}, {steps}"),
             }
         }
-        None if entry.spectrum.source.is_empty() => String::new(),
-        None if entry.spectrum.source.starts_with("made ") => {
-            format!("{}, {steps}", capitalised(&entry.spectrum.source))
-        }
-        None => tr!(
-            "From {source}, {steps}",
-            source = entry.spectrum.source,
-            steps
-        ),
+        None if source.is_empty() => String::new(),
+        None if source.starts_with("made ") => format!("{}, {steps}", capitalised(source)),
+        None => match (source.strip_prefix(FOLLOWED), source.strip_prefix(CAPTURED)) {
+            (Some(source), _) => tr!("Followed from {source}, {steps}", source, steps),
+            (_, Some(source)) => tr!("Captured from {source}, {steps}", source, steps),
+            _ => tr!("From {source}, {steps}", source, steps),
+        },
     }
 }
 
@@ -210,6 +209,22 @@ mod tests {
             about("cie_illuminants/CIE A").title(),
             "CIE A: standard tungsten bulb, 2860 K"
         );
+    }
+
+    #[test]
+    fn where_a_spectrum_is_from_is_a_sentence_whoever_wrote_it() {
+        let of = |source: &str| {
+            let shipped = &bundled_entries()[0].spectrum;
+            let source = source.to_owned();
+            let own = crate::spectrum::NamedSpectrum {
+                source,
+                ..shipped.clone()
+            };
+            About::of(&Entry::own(0, own)).table
+        };
+        assert!(of("followed from COM3").starts_with("Followed from COM3, "));
+        assert!(of("captured from COM3").starts_with("Captured from COM3, "));
+        assert!(of("lamp.csv").starts_with("From lamp.csv, "));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 use super::{
     document::FIRST_PATCH_SET,
     line_names::LineName,
+    readings::{COUNTS, is_counts},
     settings::{Detector, Settings},
     state::App,
     ticks::short,
@@ -39,6 +40,18 @@ impl Worst {
             patch: patch.map(|patch| patch.name.clone()),
         })
     }
+}
+
+/// What colours are judged by, or why none are: counts have no colour, and without visible light
+/// there is none.
+pub fn judged(app: &App) -> Result<Worst, &'static str> {
+    let document = app.document();
+    if is_counts(document.subject_entry()) || is_counts(&document.light) {
+        return Err(COUNTS);
+    }
+    Worst::of(app).ok_or(later!(
+        "No visible light in this range: there is no colour to compare."
+    ))
 }
 
 /// The verdict on the model, with its subject: "Model and light look alike".

@@ -4,7 +4,7 @@
 use super::{
     figures::{Figure, OF_QUALITY, QualityFigure, Unit},
     measured::spectrum,
-    numbers::significant,
+    numbers::{fixed, significant},
     quality_report::light_of,
     readings::COUNTS,
 };
@@ -146,10 +146,20 @@ impl Told {
     /// The number with its unit, a dash where there is none.
     pub fn number(&self) -> String {
         match self.value {
-            Ok(value) if self.figure.key == SUM.key => significant(value, 3),
+            Ok(value) if self.figure.key == SUM.key => three_digits(value),
             Ok(value) => self.figure.written(value),
             Err(_) => super::numbers::DASH.to_owned(),
         }
+    }
+}
+
+/// Three digits, noughts kept where they fit: a number that flickers must not change its length.
+fn three_digits(value: f64) -> String {
+    match value.abs() {
+        size if (0.01..1000.0).contains(&size) => {
+            fixed(value, (2.0 - size.log10().floor()) as usize)
+        }
+        _ => significant(value, 3),
     }
 }
 
@@ -184,6 +194,10 @@ mod tests {
         }
         let y = |factor: f64| figures(&shown(factor), &[Wanted::Sum]).remove(0).value;
         assert_eq!(y(2.0), y(1.0).map(|y| 2.0 * y));
+        assert_eq!(
+            [61.0, 58.94, 0.5, 7.0, 612.0, 1234.0].map(three_digits),
+            ["61.0", "58.9", "0.500", "7.00", "612", "1230"]
+        );
         // Each key is of one figure.
         let mut keys: Vec<&str> = Wanted::all().map(|wanted| wanted.figure().key).collect();
         let count = keys.len();

@@ -8,6 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::{memo::ByAddress, recipe::Recipe};
 use crate::{io::Choices, preset::Shelf};
 
+/// What stands in a spectrum's source before the name of what it was followed and captured from.
+pub(super) const FOLLOWED: &str = "followed from ";
+pub(super) const CAPTURED: &str = "captured from ";
+
 /// Where the numbers of an entry came from.
 #[derive(Clone, Debug)]
 pub enum Origin {

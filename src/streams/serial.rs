@@ -91,7 +91,7 @@ impl Link for Serial {
                         self.port = None;
                         let name = shown(&self.path);
                         Heard::Gone(tr!(
-                            "{name} is unplugged: the last frame stays, waiting for it.",
+                            "{name} is unplugged: the last spectrum stays, waiting for it.",
                             name
                         ))
                     }

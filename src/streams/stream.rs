@@ -220,6 +220,22 @@ pub(super) fn is_late(error: &io::Error) -> bool {
     )
 }
 
+impl Listener {
+    fn gone(&self) -> String {
+        match self.listener.local_addr() {
+            Ok(address) => tr!(
+                "The producer is gone: the last spectrum stays, and another producer may connect \
+                 to {address}.",
+                address
+            ),
+            Err(_) => said!(
+                "The producer is gone: the last spectrum stays, and another producer may connect."
+            )
+            .to_owned(),
+        }
+    }
+}
+
 impl Link for Listener {
     fn hear(&mut self, patience: Duration) -> Heard {
         let until = Instant::now() + patience;
@@ -238,13 +254,7 @@ impl Link for Listener {
                         Err(error) if is_late(&error) => {}
                         _ => {
                             self.producer = None;
-                            return Heard::Gone(
-                                said!(
-                                    "The producer is gone: the last frame stays, and another may \
-                                     connect."
-                                )
-                                .to_owned(),
-                            );
+                            return Heard::Gone(self.gone());
                         }
                     }
                 }

@@ -8,15 +8,15 @@ use super::{
     steps_view::through_a_prism,
     swatch,
     theme::Theme,
-    verdict_view::{SWATCH, counts, figure, no_colour, split},
+    verdict_view::{SWATCH, counts, figure, split},
 };
 use crate::app::{
     App, Pair,
-    answers::{Worst, verdict, verdict_alone},
+    answers::{Worst, judged, verdict, verdict_alone},
     behind_slit::BehindSlit,
     verdicts::Seen,
 };
-use crate::io::many;
+use crate::{io::many, languages::said};
 
 /// Below this height swatch, word and numbers stand in one line, points.
 const LINE: f32 = 56.0;
@@ -35,9 +35,13 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
         .show(ui, |ui| {
             ui.set_min_size(ui.available_size());
             let height = ui.available_height();
+            let worst = match judged(app) {
+                Ok(worst) => worst,
+                Err(why) => return drop(ui.add(Label::new(said(why)).wrap())),
+            };
             if is_line {
                 return ui
-                    .horizontal_centered(|ui| brief_line(ui, app, theme, height))
+                    .horizontal_centered(|ui| brief_line(ui, app, theme, (height, &worst)))
                     .inner;
             }
             ui.horizontal_top(|ui| {
@@ -52,9 +56,6 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                 });
                 let rest = ui.available_width().max(0.0);
                 down(ui, vec2(rest, height), |ui| {
-                    let Some(worst) = Worst::of(app) else {
-                        return no_colour(ui);
-                    };
                     let seen = Seen::of(worst.delta_e_2000);
                     let size = if theme.scale > 1.0 { 14.0 } else { 18.0 };
                     let words = RichText::new(verdict_alone(app, seen)).size(size * theme.scale);
@@ -93,10 +94,16 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
 pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
     let strong = ui.visuals().strong_text_color();
     ui.spacing_mut().item_spacing.y = 4.0;
-    split(ui, app, theme, 72.0, false);
-    through_a_prism(ui, app, theme);
+    let worst = judged(app);
+    match worst {
+        Err(why) => drop(ui.add(Label::new(said(why)).wrap())),
+        Ok(_) => {
+            split(ui, app, theme, 72.0, false);
+            through_a_prism(ui, app, theme);
+        }
+    }
     ui.add_space(6.0);
-    if let Some(worst) = Worst::of(app) {
+    if let Ok(worst) = worst {
         let seen = Seen::of(worst.delta_e_2000);
         let words = RichText::new(verdict_alone(app, seen)).size(20.0 * theme.scale);
         ui.add(Label::new(words.color(strong)).wrap())
@@ -168,10 +175,7 @@ pub(super) fn pair(ui: &mut Ui, pair: &Pair, theme: Theme) {
 }
 
 /// The same in one line.
-fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
-    let Some(worst) = Worst::of(app) else {
-        return no_colour(ui);
-    };
+fn brief_line(ui: &mut Ui, app: &App, theme: Theme, (height, worst): (f32, &Worst)) {
     let width = 64.0 * theme.scale;
     ui.allocate_ui(vec2(width, height), |ui| {
         ui.set_width(width);
@@ -186,7 +190,7 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
         numbers = many::numbers(numbers),
         instead
     );
-    let words = format!("{}, {counted}", at_worst(app, &worst));
+    let words = format!("{}, {counted}", at_worst(app, worst));
     ui.add(Label::new(words).truncate());
 }
 

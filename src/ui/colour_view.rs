@@ -11,12 +11,14 @@ use super::{
 use crate::{
     app::{
         App,
+        answers::judged,
         derived::Colour,
         figures::{OF_COLOUR, OF_LIGHT, SHARES, by_key},
+        readings::COUNTS,
     },
     color::Swatch,
     io::many::capitalised,
-    languages::fixed,
+    languages::{fixed, said},
     study::Measure,
 };
 
@@ -31,8 +33,10 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
         section(ui, said!("Colour and error"));
     }
     let colour = &app.derived().colour;
-    let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
+    let is_counts = judged(app) == Err(COUNTS);
+    let (Some(exact), Some(model), false) = (colour.exact, colour.model, is_counts) else {
         ui.weak(match colour.exact {
+            _ if is_counts => said(COUNTS),
             None => said!("No visible light in this range: there is no colour to show."),
             Some(_) => said!("The model has no colour in this range: there is nothing to compare."),
         });

@@ -13,9 +13,11 @@ use super::{
 use crate::{
     app::{
         App, Command, Memo, Settings,
+        answers::judged,
         chart::{Chart, Marks},
         charts::order::order_chart,
         derived::OF_CURVE,
+        readings::COUNTS,
         ticks,
         workspace::Preferences,
     },
@@ -48,8 +50,11 @@ fn name(measure: Measure) -> String {
     format!("{}{delta_e}", measure.figure().title())
 }
 
-/// The chosen quantity where it exists: a reflectance has no patches.
+/// The chosen quantity where it exists: a reflectance has no patches, counts have no colour.
 fn shown(app: &App, chosen: Measure) -> Measure {
+    if chosen.is_colour() && judged(app) == Err(COUNTS) {
+        return Measure::RmsBlurred;
+    }
     let of_patches = matches!(chosen, Measure::Patches | Measure::PatchesWorst);
     if of_patches && app.derived().patches.is_none() {
         Measure::Own

@@ -4,11 +4,12 @@
 use crate::{
     app::{
         App, Detector, Settings,
-        answers::{LINE_THRESHOLDS, hard_to_see_from, line_shares},
+        answers::{LINE_THRESHOLDS, hard_to_see_from, judged, line_shares},
         behind_slit::without_lines,
         lessons::{Lesson, shelf},
         numbers::figure,
         pages::Page,
+        readings::COUNTS,
         ticks::short,
     },
     languages::fixed,
@@ -26,6 +27,12 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         .filter_map(|spike| derived.parts.share(spike.weight))
         .sum();
     let settings = &app.document().settings;
+    if judged(app) == Err(COUNTS) {
+        return (
+            tr!("{n} line in the counts." | "{n} lines in the counts." % spikes.len()),
+            said!("Combine corrects them with a known light: which light are they?").to_owned(),
+        );
+    }
     if spikes.is_empty() && derived.measured.iter().all(|value| *value <= 0.0) {
         let [from, to] = [derived.band.min_nm(), derived.band.max_nm()];
         let [from, to] = [short(from), short(to)];

@@ -10,8 +10,13 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
-        under_favourites, verdicts::Seen,
+        App, Command, Library, Lit,
+        answers::{judged, set_title},
+        chart::elided,
+        derived::PatchPair,
+        readings::COUNTS,
+        under_favourites,
+        verdicts::Seen,
     },
     color::Swatch,
     languages::fixed,
@@ -98,9 +103,10 @@ pub(super) fn patches(
     let Some(fields) = Fields::of(app, whole) else {
         if app.document().is_about_light() {
             ui.add_space(6.0);
-            ui.weak(said!(
-                "There is no visible light in this range: surfaces would be black."
-            ));
+            ui.weak(match judged(app) {
+                Err(COUNTS) => said!("Counts are no light that surfaces could be seen under."),
+                _ => said!("There is no visible light in this range: surfaces would be black."),
+            });
         } else {
             under_lights(ui, app, theme);
         }
@@ -163,7 +169,8 @@ struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// `None` where no light falls on surfaces.
     fn of(app: &'a App, whole: bool) -> Option<Self> {
-        let patches = app.derived().patches.as_ref()?;
+        let patches = app.derived().patches.as_ref();
+        let patches = patches.filter(|_| judged(app) != Err(COUNTS))?;
         if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
             let field = |lit: &'a Lit| Field {
                 name: &lit.name,

@@ -13,7 +13,7 @@ use super::{
     top_menus::{open_menu, save_menu},
 };
 use crate::{
-    app::{App, workspace::Preferences},
+    app::{App, answers::judged, readings::COUNTS, workspace::Preferences},
     languages::{Language, fixed},
 };
 
@@ -49,7 +49,12 @@ pub(super) fn show(
                 ui.separator();
             }
             ui.menu_button(said!("Save"), |ui| {
-                save_menu(ui, preferences.decimal_commas, [menus.dialog_open, menus.is_page], wishes)
+                save_menu(
+                    ui,
+                    preferences.decimal_commas,
+                    [menus.dialog_open, menus.is_page],
+                    wishes,
+                )
             })
             .response
             .on_hover_text(said!("Save or copy spectrum, model, tables and pictures."));
@@ -159,6 +164,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let document = app.document();
     let name = document.subject_entry().name();
     let colour = app.derived().colour.exact.or(app.derived().colour.full);
+    let colour = colour.filter(|_| judged(app) != Err(COUNTS));
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();

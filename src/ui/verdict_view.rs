@@ -15,9 +15,10 @@ use crate::study::Measure;
 use crate::{
     app::{
         App, Command,
-        answers::{Worst, judged_on, verdict, verdict_alone, white_words},
+        answers::{Worst, judged, judged_on, verdict, verdict_alone, white_words},
         behind_slit::BehindSlit,
         numbers::two_digits,
+        readings::COUNTS,
         verdicts::Seen,
         workspace::Preferences,
     },
@@ -51,8 +52,13 @@ pub fn show(
     commands: &mut Vec<Command>,
 ) {
     let top = ui.cursor().top();
-    split(ui, app, theme, SWATCH * theme.scale, true);
-    through_a_prism(ui, app, theme);
+    match judged(app) {
+        Err(why) => drop(ui.add(Label::new(said(why)).wrap())),
+        Ok(_) => {
+            split(ui, app, theme, SWATCH * theme.scale, true);
+            through_a_prism(ui, app, theme);
+        }
+    }
     ui.add_space(4.0);
     headline(ui, app, theme);
     rule(ui);
@@ -105,20 +111,11 @@ fn rule(ui: &mut Ui) {
     ui.add_space(8.0);
 }
 
-pub(super) fn no_colour(ui: &mut Ui) {
-    ui.add(
-        Label::new(said!(
-            "No visible light in this range: there is no colour to compare."
-        ))
-        .wrap(),
-    );
-}
-
 /// Both colours on a ground of their own, told apart by two ticks.
 pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
     let colour = &app.derived().colour;
-    let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
-        return no_colour(ui);
+    let (Ok(_), Some(exact), Some(model)) = (judged(app), colour.exact, colour.model) else {
+        return;
     };
     let name = tr!(
         "Colour: measured {measured}, model {model}",
@@ -191,7 +188,7 @@ pub(super) fn figure(delta: f64) -> String {
 }
 
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
-    let worst = Worst::of(app);
+    let worst = judged(app).ok();
     if let Some(worst) = &worst {
         let seen = Seen::of(worst.delta_e_2000);
         let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
@@ -270,7 +267,8 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         });
     };
     let figure = |measure: Measure| Some((measure.figure(), derived.figures[measure]?));
-    let moved = match app.document().is_about_light() {
+    let has_colour = judged(app).is_ok();
+    let moved = match has_colour && app.document().is_about_light() {
         true => said!("Light moved along the spectrum"),
         false => said!("Moved along the spectrum"),
     };
@@ -282,7 +280,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         let nothing = said!("nothing to compare").to_owned();
         row(said!("The spectrum"), nothing, derived.why_no_errors());
     }
-    if let Some(white) = white_words(app) {
+    if let Some(white) = white_words(app).filter(|_| has_colour) {
         row(
             said!("White"),
             white,
@@ -349,8 +347,11 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
 /// The line that stands for the column where the model is no part of the page; clicked, it opens
 /// the column.
 pub fn line(ui: &mut Ui, app: &App) -> bool {
-    let words = Worst::of(app).map_or_else(
-        || said!("no colour").to_owned(),
+    let words = judged(app).map_or_else(
+        |why| match why {
+            COUNTS => said!("of counts, not light").to_owned(),
+            _ => said!("no colour").to_owned(),
+        },
         |worst| {
             let seen = Seen::of(worst.delta_e_2000).seen();
             let difference = figure(worst.delta_e_2000);

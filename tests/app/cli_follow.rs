@@ -340,7 +340,7 @@ fn lines_come_over_tcp_and_a_producer_that_is_killed_ends_nothing() {
     let broken = frames[1]["broken"].as_u64();
     assert!(matches!(broken, Some(2 | 3)), "{broken:?}");
     said.extend(errors);
-    assert!(said.contains("the last frame stays"), "{said}");
+    assert!(said.contains("the last spectrum stays"), "{said}");
     assert!(said.contains("2 broken lines were skipped") || said.contains("3 broken lines"));
 }
 

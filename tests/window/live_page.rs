@@ -10,10 +10,12 @@ use std::{
 
 use eframe::egui;
 use egui::{Key, Role};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
         Command, Entry,
+        chart::Marks,
+        charts::spectrum::spectrum_chart,
         following::{Asked, FollowAsked, is_capture},
         pages::{AskedLesson, Page},
         workspace::Preferences,
@@ -146,6 +148,8 @@ fn space_holds_and_enter_captures_and_undo_knows_captures() {
     ui.key_press(Key::Space);
     ui.run();
     assert_written(&ui, "Held at 0:01:01.0; nothing came since.");
+    // The picture says so itself, and its course where it stopped.
+    assert_written(&ui, "meter, held at 0:01:01.0");
     put(&meter, &line(62_000.0, 2.0));
     wait_until(&mut ui, "what came since", |ui| {
         is_written(ui, "1 spectrum came since")
@@ -225,6 +229,12 @@ fn nothing_listens_before_it_is_asked_for_and_a_producer_that_goes_is_told() {
     wait_until(&mut ui, "an open port", |ui| {
         is_written(ui, &format!("127.0.0.1:{port}"))
     });
+    // What to send is told, and what needs a spectrum waits for one.
+    assert_written(&ui, "A line is one spectrum");
+    for name in [names::HOLD, names::CAPTURE, names::DARK, names::REFERENCE] {
+        let button = ui.get_by_role_and_label(Role::Button, name);
+        assert!(button.accesskit_node().is_disabled(), "{name}");
+    }
     let mut producer = connect().expect("it listens");
     producer
         .write_all(format!("no numbers\n{}", line(0.0, 2.0)).as_bytes())
@@ -233,8 +243,9 @@ fn nothing_listens_before_it_is_asked_for_and_a_producer_that_goes_is_told() {
     assert_written(&ui, "1 broken line skipped");
     drop(producer);
     wait_until(&mut ui, "the producer's end", |ui| {
-        is_written(ui, "The producer is gone: the last frame stays")
+        is_written(ui, "The producer is gone: the last spectrum stays")
     });
+    assert_written(&ui, &format!("may connect to 127.0.0.1:{port}."));
     assert!((at_400(&ui) / 2.08 - 1.0).abs() < 1e-9);
     click(&mut ui, names::STOP);
     wait_until(&mut ui, "a closed port", |_| connect().is_err());
@@ -262,7 +273,7 @@ fn a_recording_is_played_with_what_is_clipped_and_its_course() {
     click(&mut ui, names::RECORDING);
     wait_until(&mut ui, "its end", |ui| is_written(ui, "It has ended"));
     assert_written(&ui, "Clipped at 483 to 780 nm");
-    assert_written(&ui, "counts of an instrument, no light yet");
+    assert_written(&ui, "counts, not light");
     assert_written(
         &ui,
         "Waterfall: wavelengths from left to right, 0:00:00.0 above",
@@ -280,6 +291,72 @@ fn a_recording_is_played_with_what_is_clipped_and_its_course() {
         is_written(ui, "Nothing is followed: ")
     });
     assert_written(&ui, "no such file");
+}
+
+/// What stands over the lines of the first screen's chart.
+fn labels_of_lines(ui: &Ui) -> Vec<String> {
+    let chart = spectrum_chart(app(ui));
+    let labels = chart
+        .series
+        .into_iter()
+        .filter_map(|series| match series.marks {
+            Marks::Stems { labels, .. } => Some(labels),
+            _ => None,
+        });
+    labels.flatten().collect()
+}
+
+#[test]
+fn counts_are_judged_as_a_light_nowhere_until_a_person_takes_them_for_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sensor = folder.path().join("sensor.jsonl");
+    let nm: Vec<f64> = (380..=780).map(f64::from).collect();
+    let value = |nm: f64| 1.0 + 0.002 * (nm - 380.0) + 5.0 * (-((nm - 546.1) / 2.0).powi(2)).exp();
+    let values = nm.iter().map(|nm| (600.0 * value(*nm)).floor());
+    let values: Vec<f64> = values.collect();
+    // No unit tells it: the whole numbers do.
+    let counts = format!("{{\"wavelength_nm\":{nm:?},\"values\":{values:?}}}\n");
+    fs::write(&sensor, counts).expect("written");
+    let mut ui = window(no_files());
+    follow(&mut ui, Asked::Path(sensor));
+    wait_until(&mut ui, "the counts", |ui| {
+        is_written(ui, "sensor: counts, not light")
+    });
+    let judged = ["To the eye: ", "White", "Colour: measured", "look alike"];
+    for page in [Page::Live, Page::Spectrum] {
+        ui.state_mut().0.preferences.page = page;
+        ui.run();
+        assert_written(
+            &ui,
+            "Counts, not light: the instrument's response is still in it.",
+        );
+        // The shape is compared all the same.
+        assert_written(&ui, "To an instrument: ");
+        for words in judged {
+            assert!(!is_written(&ui, words), "{page:?}: {words}");
+        }
+        // Lines have their places, and no powers.
+        let labels = labels_of_lines(&ui);
+        assert!(!labels.is_empty());
+        for label in labels {
+            assert!(label.contains("54") && !label.contains('%'), "{label}");
+        }
+    }
+    ui.state_mut().0.preferences.page = Page::Live;
+    ui.run();
+    assert_written(&ui, "a course begins with the first spectrum of a light");
+    ui.get_by_role_and_label(Role::CheckBox, names::AS_LIGHT)
+        .click();
+    wait_until(&mut ui, "its figures", |ui| is_written(ui, "sensor: CCT"));
+    for words in judged {
+        assert_written(&ui, words);
+    }
+    let labels = labels_of_lines(&ui);
+    assert!(labels[0].ends_with("% of the power"), "{labels:?}");
+    // They stay marked where the spectrum is told.
+    ui.state_mut().0.preferences.page = Page::Spectrum;
+    ui.run();
+    assert_written(&ui, "These may be counts, not light");
 }
 
 #[test]
@@ -339,5 +416,8 @@ fn the_page_has_room_in_every_window_and_is_presented_whole() {
             hold.right() <= size[0] && hold.bottom() <= size[1],
             "{hold:?}"
         );
+        // What is over time begins in sight, however large the type.
+        let course = ui.get_by_role_and_label(Role::Button, names::SAVE).rect();
+        assert!(course.bottom() <= size[1], "{course:?}");
     }
 }

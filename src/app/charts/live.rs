@@ -8,7 +8,7 @@ use crate::{
     },
     color::srgb_of_fill,
     languages::{fixed, said},
-    live::{Course, Jump, Shown, Track, Tracks},
+    live::{Course, Jump, Shown, Track, Tracks, clock},
     measurements::{Measurement, Quantity},
     spectrum::Line,
 };
@@ -26,7 +26,7 @@ const SPANS: usize = 500;
 const LINE_NM: f64 = 5.0;
 
 /// The newest spectrum, or the one that is held, with the highest values so far.
-pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
+pub fn newest(shown: &Shown, peak: Option<&Measurement>, is_held: bool) -> Chart {
     let samples = &shown.of.samples;
     let points = |of: &Measurement| curve(of.samples.nm().iter().copied(), kept(of));
     let x_range = [samples.first_nm(), samples.last_nm()];
@@ -37,9 +37,10 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
     let top = top_over(most);
     let is_light = shown.of.quantity == Quantity::Light;
     // Alone it is what the title says.
-    let name = match peak.is_none() && shown.clipped.is_empty() {
-        true => "",
-        false => said!("newest"),
+    let name = match (peak.is_none() && shown.clipped.is_empty(), is_held) {
+        (true, _) => "",
+        (false, true) => said!("held"),
+        (false, false) => said!("newest"),
     };
     let mut series = vec![match is_light {
         true => Series::area(name, Ink::Measured, points(&shown.of), Vec::new()).coloured(),
@@ -69,7 +70,14 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
     let steps = (x_range[1] - x_range[0]).ceil().clamp(1.0, 2000.0);
     let nm = |i: usize| x_range[0] + (x_range[1] - x_range[0]) * i as f64 / steps;
     Chart {
-        title: tr!("Spectrum of {name}", name = shown.of.name),
+        title: match is_held {
+            true => tr!(
+                "{name}, held at {time}",
+                name = shown.of.name,
+                time = clock(shown.time_ms)
+            ),
+            false => tr!("Spectrum of {name}", name = shown.of.name),
+        },
         y_label: match shown.of.quantity {
             Quantity::Counts => said!("Counts").to_owned(),
             Quantity::Light => value_label(&shown.of.unit),
@@ -146,8 +154,9 @@ pub fn track_words(track: Track) -> (&'static str, &'static str) {
 /// Every track.
 pub const TRACKS: [Track; 4] = [Track::Y, Track::Cct, Track::Glow, Track::Lines];
 
-/// A quantity over time, with the band of its noise, and where the light jumps.
-pub fn over_time(tracks: &Tracks, track: Track, jumps: &[Jump]) -> Chart {
+/// A quantity over time, with the band of its noise, where the light jumps, and a mark at the time
+/// of what is held, ms.
+pub fn over_time(tracks: &Tracks, track: Track, jumps: &[Jump], held_ms: Option<f64>) -> Chart {
     let curves = tracks.curves(track, SPANS);
     let lines = tracks.lines_nm();
     let [first, last] = ends_ms(tracks);
@@ -161,7 +170,10 @@ pub fn over_time(tracks: &Tracks, track: Track, jumps: &[Jump]) -> Chart {
         let points = curve.iter().map(|[t, v]| [t / ms, v * factor]).collect();
         let at = lines.get(index).filter(|_| track == Track::Lines);
         match at {
-            Some(nm) => Series::line(format!("{} nm", fixed(nm, 1)), Ink::Wavelength(*nm), points),
+            Some(nm) => {
+                let colour = Ink::Own(srgb_of_fill(*nm).0);
+                Series::line(format!("{} nm", fixed(nm, 1)), colour, points)
+            }
             None => Series::line("", Ink::Measured, points),
         }
     });
@@ -209,8 +221,14 @@ pub fn over_time(tracks: &Tracks, track: Track, jumps: &[Jump]) -> Chart {
             [[at, low], [at, high], [at, f64::NAN]]
         };
         let marks = jumps.iter().flat_map(mark).collect();
-        let marks = stroke("jumps", Ink::Faint, marks, 1.2, Dash::Dashed);
+        let marks = stroke(said!("jumps"), Ink::Faint, marks, 1.2, Dash::Dashed);
         chart.series.push(marks);
+    }
+    if let (Some(held), Some([low, high]), false) = (held_ms, chart.y_range, is_empty) {
+        let at = held / ms;
+        let points = vec![[at, low], [at, high]];
+        let mark = stroke(said!("held"), Ink::Second, points, 1.6, Dash::Dashed);
+        chart.series.push(mark);
     }
     chart
 }
@@ -229,7 +247,7 @@ fn bands(tracks: &Tracks, track: Track, [by_time, by_value]: [f64; 2]) -> Vec<Se
                 .collect::<Vec<_>>()
         };
         let ink = match lines.get(index).filter(|_| track == Track::Lines) {
-            Some(nm) => Ink::Wavelength(*nm),
+            Some(nm) => Ink::Own(srgb_of_fill(*nm).0),
             None => Ink::Measured,
         };
         let base = side(-1.0).iter().map(|at| at[1]).collect();
@@ -349,7 +367,7 @@ mod tests {
     #[test]
     fn the_axis_stands_still_while_a_light_flickers_and_nothing_leaves_it() {
         let top = |most: f64| {
-            let chart = newest(&shown(vec![most; 301], Vec::new()), None);
+            let chart = newest(&shown(vec![most; 301], Vec::new()), None, false);
             chart.y_range.expect("set")[1]
         };
         assert_eq!(top(0.81), top(0.93));
@@ -368,6 +386,7 @@ mod tests {
         let chart = newest(
             &shown(vec![1.0; 301], vec![[500.0, 500.0], [690.0, 700.0]]),
             None,
+            false,
         );
         let hatches = chart
             .series
@@ -380,8 +399,26 @@ mod tests {
         // A two hundredth of the axis to each side.
         assert!((width - 3.0).abs() < 1e-9, "{width}");
         assert_eq!(at.fold(0.0, f64::max), 700.0);
-        let no = newest(&shown(vec![1.0; 301], Vec::new()), None);
+        let no = newest(&shown(vec![1.0; 301], Vec::new()), None, false);
         assert!(no.series.iter().all(|series| series.name != "clipped"));
+    }
+
+    #[test]
+    fn what_is_held_says_so_and_since_when_wherever_it_is_drawn() {
+        let mut cut = shown(vec![1.0; 301], vec![[500.0, 500.0]]);
+        cut.time_ms = 120_000.0;
+        let chart = newest(&cut, None, true);
+        assert_eq!(chart.title, "lamp, held at 0:02:00.0");
+        assert_eq!(chart.series[0].name, "held");
+        let course = over_time(&tracks(), Track::Y, &[], Some(cut.time_ms));
+        let mark = course.series.last().expect("a mark");
+        assert_eq!(mark.name, "held");
+        let at = |index: usize| mark.marks.points()[index];
+        // Two minutes, over the whole height.
+        let [low, high] = course.y_limits();
+        assert_eq!([at(0), at(1)], [[2.0, low], [2.0, high]]);
+        let runs = over_time(&tracks(), Track::Y, &[], None);
+        assert_eq!(runs.series.len() + 1, course.series.len());
     }
 
     /// A green light that comes up, and at its end falls dark.
@@ -412,11 +449,11 @@ mod tests {
             let most = span.iter().map(|at| at[1]).fold(0.0, f64::max);
             assert!(curve.iter().any(|at| at[1] == most), "{most}");
         }
-        let chart = over_time(&tracks, Track::Y, &[]);
+        let chart = over_time(&tracks, Track::Y, &[], None);
         assert_eq!(chart.x_label, "Time (min)");
         assert!((chart.x_range[1] - 599.0 / 60.0).abs() < 1e-3);
         assert_eq!(
-            over_time(&tracks, Track::Lines, &[]).blank,
+            over_time(&tracks, Track::Lines, &[], None).blank,
             "No line was found yet."
         );
     }

@@ -268,7 +268,12 @@ fn line_bars(app: &App) -> Vec<Series> {
 /// What stands over the stems: the line's name, else its wavelength, and its share of the power.
 fn labels(app: &App, spikes: &[Line]) -> Vec<String> {
     let parts = &app.derived().parts;
-    let share = |spike: &Line| parts.share(spike.weight).map(|share| 100.0 * share);
+    // Counts have places of lines, and no powers.
+    let has_power = !is_counts(app.document().subject_entry());
+    let share = |spike: &Line| {
+        let share = parts.share(spike.weight).filter(|_| has_power);
+        share.map(|share| 100.0 * share)
+    };
     let sizes = spikes.iter().map(|spike| share(spike).unwrap_or(0.0).abs());
     let largest = sizes.fold(0.0, f64::max);
     let label = |(spike, name): (&Line, &LineName)| {

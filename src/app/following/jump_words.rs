@@ -30,7 +30,9 @@ pub fn jump_words(jump: &Jump, light: Option<&Sampled>) -> String {
         let name = place(part).and_then(|_| names.next().flatten());
         match part.feature {
             Feature::Level if part.change > COMES => said!("the light comes on").to_owned(),
-            Feature::Level if part.change < 1.0 / COMES - 1.0 => said!("the light goes out").to_owned(),
+            Feature::Level if part.change < 1.0 / COMES - 1.0 => {
+                said!("the light goes out").to_owned()
+            }
             _ => format!(
                 "{} {}",
                 part_name(part, name.as_deref()),

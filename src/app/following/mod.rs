@@ -22,6 +22,7 @@ use std::{
 use super::{
     entry::Entry,
     measured::{has_doubt, spectrum},
+    origin::{CAPTURED, FOLLOWED},
     pages::LiveMemory,
     state::{App, Tone},
     worker::{Tell, Wake, Worker},
@@ -29,7 +30,7 @@ use super::{
 use crate::{
     io::Choices,
     live::{Live, Shown},
-    measurements::{Measurement, Quantity},
+    measurements::{Measurement, Quantity, quantity_of},
     spectrum::{Kind, NamedSpectrum},
     streams::Source,
 };
@@ -40,10 +41,6 @@ pub use stream::{Seen, Standing, Stream};
 
 /// How long the thread waits for an event before it looks whether it is still wanted.
 const PATIENCE: Duration = Duration::from_millis(100);
-
-/// What stands in a spectrum's source before the name of what it was followed and captured from.
-const FOLLOWED: &str = "followed from ";
-const CAPTURED: &str = "captured from ";
 
 /// What is to be followed.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +80,8 @@ pub struct Following {
     /// Dropped, it asks the thread to stop.
     reader: Option<Worker<()>>,
     began: Instant,
+    /// True if it comes as lines, which somebody has to send.
+    pub takes_lines: bool,
     /// The frame that was drawn last.
     drawn: u64,
     /// Frames that were drawn.
@@ -103,6 +102,7 @@ impl Following {
             stream: Arc::new(Mutex::new(stream)),
             reader: None,
             began: Instant::now(),
+            takes_lines: false,
             drawn: 0,
             drawn_count: 0,
             seen: Seen::default(),
@@ -114,6 +114,7 @@ impl Following {
     /// Begins to follow; what cannot be opened says so in its words.
     pub fn start(asked: FollowAsked, wake: &Wake) -> Self {
         let mut following = Self::of(Stream::new("", Live::new(None, false)));
+        following.takes_lines = matches!(asked.source, Asked::Tcp(..) | Asked::Serial(..));
         let (stream, began) = (following.stream.clone(), following.began);
         following.reader = Some(Worker::start(wake, move |tell| {
             read(&asked, &stream, began, tell);
@@ -169,7 +170,10 @@ impl Following {
         let memory = app.document().pages.live.clone();
         let mut stream = locked(&self.stream);
         set(&mut stream.live, &memory);
-        self.seen = stream.seen(self.began.elapsed().as_secs_f64());
+        let before = std::mem::take(&mut self.seen);
+        self.seen = stream
+            .seen(self.began.elapsed().as_secs_f64())
+            .sharing(&before);
         let notices = stream.notices();
         drop(stream);
         for notice in notices {
@@ -273,9 +277,22 @@ fn entry_of_measurement(of: &Measurement, source: String) -> Entry {
         Quantity::Counts => Kind::Light,
         _ => of_light.kind,
     };
+    let says_counts = quantity_of(&of.name, Kind::Light, &of.unit) == Ok(Quantity::Counts);
+    let unit = match (of.quantity, says_counts) {
+        // What the stream takes for counts is none on any page, whatever told it.
+        (Quantity::Counts, false) => "counts".to_owned(),
+        // A person takes them as a light.
+        (Quantity::Light, true) => String::new(),
+        _ => of_light.unit,
+    };
+    let of_light = NamedSpectrum {
+        kind,
+        unit,
+        ..of_light
+    };
     let measured = has_doubt(of).then(|| Arc::new(of.clone()));
     Entry {
         measured,
-        ..Entry::own(0, NamedSpectrum { kind, ..of_light })
+        ..Entry::own(0, of_light)
     }
 }

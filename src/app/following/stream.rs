@@ -68,8 +68,26 @@ pub struct Seen {
     pub standing: Standing,
     /// The same in a sentence.
     pub words: String,
+    /// The time of what is held, ms.
+    pub held_ms: Option<f64>,
     /// Further sentences: what is clipped, what was skipped, what does not fit.
     pub warnings: Vec<String>,
+}
+
+impl Seen {
+    /// The same with what is shown as it was seen before where it has not changed: it is drawn again
+    /// only where it is another.
+    #[must_use]
+    pub fn sharing(self, before: &Self) -> Self {
+        fn same<T: PartialEq>(now: Option<Arc<T>>, before: &Option<Arc<T>>) -> Option<Arc<T>> {
+            if now == *before { before.clone() } else { now }
+        }
+        Self {
+            shown: same(self.shown, &before.shown),
+            peak: same(self.peak, &before.peak),
+            ..self
+        }
+    }
 }
 
 impl Stream {
@@ -145,7 +163,8 @@ impl Stream {
             .collect();
         let clipped = (!clipped.is_empty()).then(|| {
             tr!(
-                "Clipped at {ranges} nm: the light is stronger there than the instrument can tell.",
+                "Clipped at {ranges} nm: the light is stronger there than the instrument can tell. \
+                 Shorten its exposure, or dim the light.",
                 ranges = clipped.join(", ")
             )
         });
@@ -157,8 +176,10 @@ impl Stream {
                 last
             )
         });
+        let held_ms = shown.as_ref().map(|shown| shown.time_ms);
         Seen {
             name: self.name.clone(),
+            held_ms: held_ms.filter(|_| self.live.is_held()),
             words: self.words(standing, shown.as_deref(), now_s),
             shown,
             peak: self.live.peak().ok().flatten().map(Arc::new),
@@ -213,13 +234,18 @@ impl Stream {
             Standing::Held => {
                 let at = clock(shown.map_or(0.0, |shown| shown.time_ms));
                 let since = self.live.count() - self.held_from;
-                match since {
+                let held = match since {
                     0 => tr!("Held at {at}; nothing came since.", at),
                     since => tr!(
                         "Held at {at}; {n} spectrum came since."
                             | "Held at {at}; {n} spectra came since." % since,
                         at
                     ),
+                };
+                match (&self.said, &self.end) {
+                    (Some(said), None) => format!("{held} {said}"),
+                    (_, Some(_)) => format!("{held} {}", said!("It has ended.")),
+                    (None, None) => held,
                 }
             }
         }
@@ -272,12 +298,12 @@ mod tests {
         }
         let (standing, words) = told(&stream, 10.2);
         assert_eq!(standing, Standing::Runs);
-        assert_eq!(words, "1.0 frames a second, the last just now.");
+        assert_eq!(words, "1.0 spectra a second, the last just now.");
         // Four intervals of a second.
         assert_eq!(told(&stream, 14.0).0, Standing::Runs);
         let (standing, words) = told(&stream, 17.0);
         assert_eq!(standing, Standing::Slow);
-        let slow = "Slow: the last spectrum came 7 s ago, before that 1.0 frames a second.";
+        let slow = "Slow: the last spectrum came 7 s ago, before that 1.0 spectra a second.";
         assert_eq!(words, slow);
         stream.hear(Event::Said("The producer is gone.".to_owned()), 18.0);
         let gone = (Standing::Gone, "The producer is gone.".to_owned());
@@ -292,14 +318,35 @@ mod tests {
             "Held at 0:00:19.0; 1 spectrum came since.".to_owned(),
         );
         assert_eq!(told(&stream, 20.0), held);
+        // What happens meanwhile is told beside it.
+        stream.hear(Event::Said("The producer is gone.".to_owned()), 20.5);
+        let held_and_gone = (held.0, format!("{} The producer is gone.", held.1));
+        assert_eq!(told(&stream, 20.5), held_and_gone);
+        assert_eq!(stream.seen(20.5).held_ms, Some(19_000.0));
         stream.hear(Event::End, 21.0);
-        assert_eq!(told(&stream, 21.0).0, Standing::Held);
+        let held_and_over = (held.0, format!("{} It has ended.", held.1));
+        assert_eq!(told(&stream, 21.0), held_and_over);
         stream.hold(false);
         assert_eq!(told(&stream, 21.0).0, Standing::Ended);
         // What is held back from the screen is in the tracks.
         assert_eq!(stream.tracks.len(), 13);
         let y = |index: usize| stream.tracks.point(index).expect("a frame").y;
         assert!((y(12) / y(11) - 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_is_shown_is_one_and_the_same_until_another_spectrum_comes() {
+        let mut stream = Stream::new("lamp", Live::new(None, false));
+        stream.hear(frame(0.0, glow), 0.0);
+        let first = stream.seen(0.0);
+        let is_same = |seen: &Seen| {
+            let both = seen.shown.as_ref().zip(first.shown.as_ref());
+            both.is_some_and(|(now, before)| Arc::ptr_eq(now, before))
+        };
+        assert!(!is_same(&stream.seen(1.0)), "made anew");
+        assert!(is_same(&stream.seen(1.0).sharing(&first)));
+        stream.hear(frame(2000.0, |nm| 2.0 * glow(nm)), 2.0);
+        assert!(!is_same(&stream.seen(2.0).sharing(&first)));
     }
 
     #[test]

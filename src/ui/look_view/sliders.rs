@@ -239,7 +239,7 @@ fn waves(
 ) {
     ui.spacing_mut().item_spacing.x = 8.0;
     // In a lesson it would be the answer.
-    let from = answers::hard_to_see_from(app).filter(|_| !bare);
+    let from = answers::hard_to_see_from(app).filter(|_| !bare && answers::judged(app).is_ok());
     let seen = from.map(|order| match order {
         0 => said!("no difference is seen").to_owned(),
         order => tr!("looks alike from {order} on", order),
@@ -316,7 +316,14 @@ fn lines(
         let noise = tr!("noise up to {share} %", share = significant(percent, 2));
         does = [does, noise].join(", ");
     }
-    caption(ui, width, said(names::LINES), meaning.trim_end(), &does, theme);
+    caption(
+        ui,
+        width,
+        said(names::LINES),
+        meaning.trim_end(),
+        &does,
+        theme,
+    );
     let by_energy = settings.detector == Detector::Energy;
     ui.horizontal(|ui| {
         let [lowest, highest] = LINE_THRESHOLDS;

@@ -53,7 +53,7 @@ fn a_producer_that_dies_in_the_middle_of_a_line_is_told_and_the_next_one_is_hear
     assert!(words(source.next(PATIENCE)).ends_with("sends."));
     assert_eq!(values(source.next(PATIENCE)), [1.0, 2.0, 3.0, 4.0, 5.0]);
     drop(producer);
-    assert!(words(source.next(PATIENCE)).contains("the last frame stays"));
+    assert!(words(source.next(PATIENCE)).contains("the last spectrum stays"));
     assert_eq!(source.broken().count, 1);
     let mut producer = TcpStream::connect(address).expect("connected");
     producer

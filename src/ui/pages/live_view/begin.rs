@@ -21,6 +21,7 @@ use crate::{
             text_field, warning,
         },
         pages::{PageContext, PageWish},
+        theme::Theme,
     },
 };
 
@@ -60,6 +61,24 @@ impl Default for Begin {
             ports: None,
             baud: BAUD,
         }
+    }
+}
+
+/// The lines that may be sent.
+pub(super) fn lines(ui: &mut Ui, theme: Theme) {
+    ui.label(RichText::new(said!("A line is one spectrum")).strong());
+    for words in [
+        said!(
+            "Wavelengths once, then a line of values for each spectrum: 400,405,410 … then \
+             0.1,0.2,0.3 …"
+        ),
+        said!(
+            "Or an object: \
+             {\"wavelength_nm\":[400,405],\"values\":[0.1,0.2],\"integration_ms\":30}."
+        ),
+        said!("Or labels with their wavelengths: 415nm:12 445nm:30."),
+    ] {
+        ui.add(egui::Label::new(RichText::new(words).color(theme.faint)).wrap());
     }
 }
 
@@ -107,20 +126,7 @@ impl Begin {
             if let Some(Err(why)) = &self.ports {
                 warning(ui, context.theme, why.clone());
             }
-            ui.label(RichText::new(said!("A line is one spectrum")).strong());
-            for words in [
-                said!(
-                    "Wavelengths once, then a line of values for each spectrum: 400,405,410 … then \
-                     0.1,0.2,0.3 …"
-                ),
-                said!(
-                    "Or an object: \
-                     {\"wavelength_nm\":[400,405],\"values\":[0.1,0.2],\"integration_ms\":30}."
-                ),
-                said!("Or labels with their wavelengths: 415nm:12 445nm:30."),
-            ] {
-                ui.add(egui::Label::new(RichText::new(words).color(context.theme.faint)).wrap());
-            }
+            lines(ui, context.theme);
         });
         context.wishes.extend(picks.map(PageWish::PickToFollow));
         if let Some(source) = asked {

@@ -1,10 +1,12 @@
 //! What was captured, in small: a click shows it.
 
+use std::sync::Arc;
+
 use eframe::egui;
 use egui::{Color32, Rect, ScrollArea, Stroke, Ui, pos2, vec2};
 
 use crate::{
-    app::{Command, Entry, following::is_capture},
+    app::{Command, Entry, following::is_capture, readings::is_counts},
     color::srgb_of_fill,
     spectrum::Outside,
     ui::{
@@ -21,13 +23,26 @@ const MOST: usize = 50;
 const SIZE: [f32; 2] = [112.0, 62.0];
 const COLUMNS: usize = 52;
 
-pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
+/// Room around them, points.
+const AROUND: f32 = 14.0;
+
+/// The height that they take; none where there are none.
+pub(super) fn height(context: &PageContext<'_>) -> f32 {
+    let has_some = newest(context).next().is_some();
+    if has_some {
+        SIZE[1] * context.theme.scale + AROUND
+    } else {
+        0.0
+    }
+}
+
+fn newest<'a>(context: &PageContext<'a>) -> impl Iterator<Item = &'a Arc<Entry>> {
     let own = context.app.document().own.iter();
-    let captures: Vec<_> = own
-        .filter(|entry| is_capture(entry))
-        .rev()
-        .take(MOST)
-        .collect();
+    own.filter(|entry| is_capture(entry)).rev().take(MOST)
+}
+
+pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let captures: Vec<_> = newest(context).collect();
     if captures.is_empty() {
         return;
     }
@@ -73,7 +88,11 @@ fn draw(ui: &Ui, rect: Rect, entry: &Entry) {
     for (column, value) in values.iter().enumerate().filter(|_| top > 0.0) {
         let x = curve.left() + wide * (column as f32 + 0.5);
         let high = curve.height() * (value / top).clamp(0.0, 1.0) as f32;
-        let colour = swatch::colour(srgb_of_fill(nm(column)));
+        let colour = match is_counts(entry) {
+            // Counts have no colour.
+            true => ink,
+            false => swatch::colour(srgb_of_fill(nm(column))),
+        };
         let ends = [pos2(x, curve.bottom()), pos2(x, curve.bottom() - high)];
         painter.line_segment(ends, Stroke::new(wide + 0.5, colour));
     }

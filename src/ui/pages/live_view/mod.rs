@@ -4,24 +4,30 @@ mod begin;
 mod captures;
 mod over_time;
 
-use std::path::{Path, PathBuf};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use eframe::egui;
-use egui::{Align, Button, Layout, RichText, Ui, vec2};
+use egui::{Button, RichText, Ui, vec2};
 
 use super::{PageContext, PageWish};
 use crate::{
     app::{
+        ByAddress, Memo,
+        chart::Chart,
         charts::live::newest,
         following::{Following, Seen, Standing},
         live_figures::{Told, Wanted, figures},
     },
+    io::many::capitalised,
     languages::said,
     live::{Reference, Shown},
-    measurements::Quantity,
+    measurements::{Measurement, Quantity},
     streams::Pace,
     ui::{
-        kit::{GROUP, headline, knob, named, number, pressed, pressed_if, scrolled, warning},
+        kit::{GROUP, down, headline, knob, named, number, pressed, pressed_if, scrolled, warning},
         theme::Theme,
     },
 };
@@ -86,15 +92,27 @@ const OFFERED: [&str; 12] = [
 const WIDE: f32 = 640.0;
 const FIGURES: f32 = 168.0;
 
-/// Parts of the page's height for the spectrum and for what is over time, and their least, points.
-const SPECTRUM: (f32, f32) = (0.44, 190.0);
-const COURSE: (f32, f32) = (0.34, 170.0);
+/// Parts of the height that is left for the spectrum and for what is over time, and their least,
+/// points.
+const SPECTRUM: (f32, f32) = (0.56, 180.0);
+const COURSE: (f32, f32) = (0.44, 150.0);
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct LiveView {
     begin: begin::Begin,
     course: over_time::OverTime,
+    /// Kept until another spectrum is shown, which most frames of the window do not bring.
+    chart: Memo<ChartOf, Chart>,
+    told: Memo<(Option<ByAddress<Shown>>, Vec<String>), Vec<Told>>,
+}
+
+/// What the spectrum's chart is made of.
+#[derive(Clone, PartialEq)]
+struct ChartOf {
+    shown: ByAddress<Shown>,
+    peak: Option<ByAddress<Measurement>>,
+    is_held: bool,
 }
 
 impl LiveView {
@@ -114,34 +132,98 @@ impl LiveView {
         let Some(following) = context.following.take() else {
             return self.begin.show(ui, context);
         };
-        let room = ui.available_size();
+        let room = ui.available_height();
         scrolled(ui, "live", |ui| {
+            let top = ui.cursor().top();
             let seen = following.seen();
-            let told = told(context, seen);
+            let told = self.told(context, seen);
             headline(ui, context.theme, sentence(seen, &told));
             standing(ui, context.theme, seen);
             ui.add_space(8.0);
             controls(ui, context, &following);
             ui.add_space(8.0);
-            let scale = context.theme.scale;
-            let high = |(part, least): (f32, f32)| (part * room.y).max(least * scale);
-            if let Some(shown) = &seen.shown {
-                spectrum(ui, context, (seen, shown), &told, high(SPECTRUM));
-                captures::show(ui, context);
-                ui.add_space(GROUP);
-                self.course.show(ui, context, &following, high(COURSE));
+            let Some(shown) = &seen.shown else {
+                if following.takes_lines && seen.standing == Standing::Waiting {
+                    ui.add_space(GROUP);
+                    begin::lines(ui, context.theme);
+                }
+                return;
+            };
+            let used = ui.cursor().top() - top + captures::height(context);
+            let has_course = !following.stream().tracks.is_empty();
+            let [high, of_course] = heights(room - used, context.theme.scale, has_course);
+            self.spectrum(ui, context, (seen, shown), &told, high);
+            captures::show(ui, context);
+            ui.add_space(GROUP);
+            match has_course {
+                true => self.course.show(ui, context, &following, of_course),
+                false => {
+                    let words =
+                        said!("Over time: a course begins with the first spectrum of a light.");
+                    let words = RichText::new(words).color(context.theme.faint);
+                    ui.add(egui::Label::new(words).wrap());
+                }
             }
         });
         *context.following = Some(following);
     }
+
+    /// The figures that are asked for; none of what is no light.
+    fn told(&mut self, context: &PageContext<'_>, seen: &Seen) -> Vec<Told> {
+        let keys = &context.pages.live.figures;
+        let key = (seen.shown.clone().map(ByAddress), keys.clone());
+        let make = |(shown, keys): &(Option<ByAddress<Shown>>, Vec<String>)| {
+            let wanted = keys.iter().filter_map(|key| Wanted::named(key).ok());
+            let wanted: Vec<Wanted> = wanted.collect();
+            let shown = shown.as_ref();
+            shown.map_or_else(Vec::new, |shown| figures(&shown.0, &wanted))
+        };
+        self.told.get(key, make).clone()
+    }
+
+    /// The spectrum that is shown, its figures beside it where there is room.
+    fn spectrum(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        (seen, shown): (&Seen, &Arc<Shown>),
+        told: &[Told],
+        high: f32,
+    ) {
+        let key = ChartOf {
+            shown: ByAddress(shown.clone()),
+            peak: seen.peak.clone().map(ByAddress),
+            is_held: seen.standing == Standing::Held,
+        };
+        let make = |of: &ChartOf| {
+            let peak = of.peak.as_ref().map(|peak| &*peak.0);
+            newest(&of.shown.0, peak, of.is_held)
+        };
+        let chart = &*self.chart.get(key, make);
+        let scale = context.theme.scale;
+        let width = ui.available_width();
+        if width < WIDE * scale || told.is_empty() {
+            context.chart(ui, chart, "live", vec2(width, high));
+            return;
+        }
+        ui.horizontal_top(|ui| {
+            let wide = width - FIGURES * scale - 12.0;
+            context.chart(ui, chart, "live", vec2(wide, high));
+            let size = vec2(FIGURES * scale, high);
+            down(ui, size, |ui| beside(ui, context.theme, told));
+        });
+    }
 }
 
-/// The figures that are asked for; none of what is no light.
-fn told(context: &PageContext<'_>, seen: &Seen) -> Vec<Told> {
-    let wanted = context.pages.live.figures.iter();
-    let wanted: Vec<Wanted> = wanted.filter_map(|key| Wanted::named(key).ok()).collect();
-    let shown = seen.shown.as_ref();
-    shown.map_or(Vec::new(), |shown| figures(shown, &wanted))
+/// Heights of the spectrum and of what is over time, in the room that is left for both. Where it is
+/// too low for both the spectrum takes it, and the other is scrolled to whole.
+fn heights(left: f32, scale: f32, has_course: bool) -> [f32; 2] {
+    let left = left - over_time::HEAD * scale - GROUP;
+    let (of_spectrum, of_course) = (SPECTRUM.1 * scale, COURSE.1 * scale);
+    match has_course && left >= of_spectrum + of_course {
+        true => [SPECTRUM, COURSE].map(|(part, least)| (part * left).max(least * scale)),
+        false => [left.max(of_spectrum), of_course.max(0.5 * left)],
+    }
 }
 
 /// The light's name with its first figures.
@@ -159,14 +241,14 @@ fn sentence(seen: &Seen, told: &[Told]) -> String {
         .take(3)
         .map(Told::words)
         .collect();
-    let words = match (&first[..], shown.of.quantity) {
-        (_, Quantity::Counts) => tr!("{name}: counts of an instrument, no light yet", name),
-        ([], _) => name.clone(),
-        (first, _) => format!("{name}: {}", first.join(", ")),
+    let name = match seen.standing {
+        Standing::Held => tr!("{light}, held", light = name),
+        _ => name.clone(),
     };
-    match seen.standing {
-        Standing::Held => tr!("Held: {light}", light = words),
-        _ => words,
+    match (&first[..], shown.of.quantity) {
+        (_, Quantity::Counts) => tr!("{name}: counts, not light", name),
+        ([], _) => name,
+        (first, _) => format!("{name}: {}", first.join(", ")),
     }
 }
 
@@ -175,7 +257,12 @@ fn standing(ui: &mut Ui, theme: Theme, seen: &Seen) {
     match seen.standing.is_trouble() {
         true => warning(ui, theme, seen.words.clone()),
         false => {
-            let words = RichText::new(&seen.words).color(theme.faint);
+            let words = RichText::new(&seen.words);
+            // What goes on though the picture stands still.
+            let words = match seen.standing == Standing::Held {
+                true => words.strong(),
+                false => words.color(theme.faint),
+            };
             ui.add(egui::Label::new(words).wrap());
         }
     }
@@ -184,10 +271,10 @@ fn standing(ui: &mut Ui, theme: Theme, seen: &Seen) {
     }
 }
 
-/// A switch of the stream; whether it was clicked.
-fn switch(ui: &mut Ui, is_on: bool, name: &str, meaning: &str) -> bool {
+/// A switch of the stream, once it has a frame; whether it was clicked.
+fn switch(ui: &mut Ui, (has_frame, is_on): (bool, bool), name: &str, meaning: &str) -> bool {
     let button = Button::selectable(is_on, name).frame_when_inactive(true);
-    pressed_if(ui, true, button, meaning)
+    pressed_if(ui, has_frame, button, meaning)
 }
 
 /// The row of controls.
@@ -218,9 +305,9 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
         }
         ui.separator();
         let row = crate::app::pages::LiveMemory::AVERAGE;
-        ui.label(row.title).on_hover_text(row.meaning);
+        ui.label(row.title()).on_hover_text(row.meaning());
         let field = knob::drag(&row, &mut context.pages.live);
-        number(ui, field, row.title).on_hover_text(row.meaning);
+        number(ui, field, row.title()).on_hover_text(row.meaning());
         let (has_dark, has_reference) = (
             stream.live.has(Reference::Dark),
             stream.live.has(Reference::Light),
@@ -229,19 +316,20 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
             "Takes what is shown now off every spectrum: cover the instrument first. A click more \
              goes on without."
         );
-        if switch(ui, has_dark, said(names::DARK), meaning) {
+        if switch(ui, (has_frame, has_dark), said(names::DARK), meaning) {
             reference_of(Reference::Dark, &mut stream);
         }
         let meaning = said!(
             "Divides every spectrum by what is shown now: the light without the sample. A click \
              more goes on without."
         );
-        if switch(ui, has_reference, said(names::REFERENCE), meaning) {
+        let name = said(names::REFERENCE);
+        if switch(ui, (has_frame, has_reference), name, meaning) {
             reference_of(Reference::Light, &mut stream);
         }
         let peak = stream.live.holds_peak();
         let meaning = said!("Draws the highest value of every column from now on.");
-        if switch(ui, peak, said(names::PEAK), meaning) {
+        if switch(ui, (has_frame, peak), said(names::PEAK), meaning) {
             stream.live.hold_peak(!peak);
         }
         let shown = following.seen().shown.as_deref();
@@ -300,41 +388,23 @@ fn figures_menu(ui: &mut Ui, context: &mut PageContext<'_>) {
         .on_hover_text(said!("The figures that are shown."));
 }
 
-/// The newest spectrum, its figures beside it where there is room.
-fn spectrum(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    (seen, shown): (&Seen, &Shown),
-    told: &[Told],
-    high: f32,
-) {
-    let chart = newest(shown, seen.peak.as_deref());
-    let scale = context.theme.scale;
-    let width = ui.available_width();
-    if width < WIDE * scale || told.is_empty() {
-        context.chart(ui, &chart, "live", vec2(width, high));
+/// The figures beside the spectrum; where all are missing for one reason, the reason.
+fn beside(ui: &mut Ui, theme: Theme, told: &[Told]) {
+    let mut whys = told.iter().map(|told| told.value.as_ref().err());
+    if let Some(Some(why)) = whys.next()
+        && whys.all(|other| other == Some(why))
+    {
+        ui.add(egui::Label::new(capitalised(why)).wrap());
         return;
     }
-    ui.horizontal_top(|ui| {
-        let wide = width - FIGURES * scale - 12.0;
-        context.chart(ui, &chart, "live", vec2(wide, high));
-        ui.allocate_ui_with_layout(
-            vec2(FIGURES * scale, high),
-            Layout::top_down(Align::Min),
-            |ui| {
-                for told in told {
-                    ui.label(RichText::new(told.name()).color(context.theme.faint));
-                    let number = RichText::new(told.number()).size(24.0 * scale).strong();
-                    let number = ui.add(egui::Label::new(number).truncate());
-                    let why = told
-                        .value
-                        .as_ref()
-                        .err()
-                        .map_or(told.figure.meaning(), |why| why);
-                    number.on_hover_text(why);
-                    ui.add_space(4.0);
-                }
-            },
-        );
-    });
+    for told in told {
+        ui.label(RichText::new(told.name()).color(theme.faint));
+        let number = RichText::new(told.number())
+            .size(24.0 * theme.scale)
+            .strong();
+        let number = ui.add(egui::Label::new(number).truncate());
+        let why = told.value.as_ref().err();
+        number.on_hover_text(why.map_or(told.figure.meaning(), |why| why));
+        ui.add_space(4.0);
+    }
 }

@@ -1,22 +1,23 @@
 //! The stream over time: a quantity as a curve, and the waterfall beside it.
 
 use eframe::egui;
-use egui::{Align2, FontId, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
+use egui::{Align2, Color32, FontId, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
 use super::names;
 use crate::{
     app::{
-        chart::Chart,
+        chart::{Chart, Ink},
         charts::live::{TRACKS, WATERFALL_NM, ends_ms, over_time, track_words, waterfall},
         following::{Following, jump_words},
     },
-    languages::said,
+    languages::{Language, said, spoken},
     live::{Jump, Track, clock},
     spectrum::Sampled,
     ui::{
         kit::{drawing, pressed_small, segments, two_columns},
         pages::{PageContext, PageWish},
         swatch,
+        theme::Theme,
     },
 };
 
@@ -29,9 +30,11 @@ const PIXELS: [usize; 2] = [401, 240];
 /// Jumps that are told in words.
 const MOST_JUMPS: usize = 3;
 
-const JUMPS_MEAN: &str = "Where the five spectra behind a moment differ from the five before it beyond \
-                          their noise and one slope, all moments and quantities tested together at \
-                          5 %: shares of the lines and of the glow, its shape, and the level.";
+const JUMPS_MEAN: &str = later!(
+    "Where the five spectra behind a moment differ from the five before it beyond their noise and \
+     one slope, all moments and quantities tested together at 5 %: shares of the lines and of the \
+     glow, its shape, and the level."
+);
 
 /// Wavelengths below the waterfall, nm.
 const TICKS: [f64; 4] = [400.0, 500.0, 600.0, 700.0];
@@ -39,6 +42,9 @@ const TICKS: [f64; 4] = [400.0, 500.0, 600.0, 700.0];
 /// Room for times beside the waterfall, and for wavelengths below, points.
 const TIMES: f32 = 66.0;
 const BELOW: f32 = 18.0;
+
+/// Height of the row above both with the space around it, points.
+pub(super) const HEAD: f32 = 44.0;
 
 /// Width from which both stand side by side, points.
 const WIDE: f32 = 620.0;
@@ -48,9 +54,18 @@ pub(super) struct OverTime {
     drawn: Option<Drawn>,
 }
 
+/// What it is drawn of.
+#[derive(Clone, Copy, PartialEq)]
+struct Of {
+    count: u64,
+    track: Track,
+    held_ms: Option<f64>,
+    language: Language,
+}
+
 struct Drawn {
     at: f64,
-    of: (u64, Track),
+    of: Of,
     chart: Chart,
     waterfall: Option<TextureHandle>,
     ends_ms: [f64; 2],
@@ -87,15 +102,15 @@ impl OverTime {
         let Some(drawn) = &self.drawn else { return };
         if !drawn.jumps.is_empty() {
             ui.add(egui::Label::new(&drawn.jumps).wrap())
-                .on_hover_text(JUMPS_MEAN);
+                .on_hover_text(said(JUMPS_MEAN));
             ui.add_space(4.0);
         }
         let course = |ui: &mut Ui, context: &mut PageContext<'_>| {
             let size = vec2(ui.available_width(), high);
             context.chart(ui, &drawn.chart, "over time", size);
         };
-        let fall = |ui: &mut Ui, _: &mut PageContext<'_>| {
-            paint(ui, drawn, high);
+        let fall = |ui: &mut Ui, context: &mut PageContext<'_>| {
+            paint(ui, context.theme, drawn, high);
         };
         match ui.available_width() >= WIDE * context.theme.scale {
             true => two_columns(ui, context, course, fall),
@@ -110,12 +125,19 @@ impl OverTime {
     /// Draws it again where it is older than a moment.
     fn draw_anew(&mut self, ui: &Ui, track: Track, following: &Following) {
         let now = ui.input(|i| i.time);
-        let of = (following.seen().count, track);
+        let of = Of {
+            count: following.seen().count,
+            track,
+            held_ms: following.seen().held_ms,
+            language: spoken(),
+        };
         if let Some(drawn) = &self.drawn {
             if drawn.of == of {
                 return;
             }
-            if drawn.of.1 == track && (0.0..EVERY).contains(&(now - drawn.at)) {
+            let count = drawn.of.count;
+            let is_other = drawn.of != Of { count, ..of };
+            if !is_other && (0.0..EVERY).contains(&(now - drawn.at)) {
                 let wait = std::time::Duration::from_secs_f64(EVERY);
                 return ui.ctx().request_repaint_after(wait);
             }
@@ -124,7 +146,7 @@ impl OverTime {
             let tracks = &following.stream().tracks;
             let jumps = tracks.jumps();
             (
-                over_time(tracks, track, &jumps),
+                over_time(tracks, track, &jumps, of.held_ms),
                 waterfall(tracks, PIXELS),
                 ends_ms(tracks),
                 jumps,
@@ -164,7 +186,7 @@ fn newest_jumps(jumps: &[Jump], light: Option<&Sampled>) -> String {
 }
 
 /// The waterfall with its times at the left and wavelengths below.
-fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
+fn paint(ui: &mut Ui, theme: Theme, drawn: &Drawn, high: f32) {
     let [first, last] = drawn.ends_ms.map(clock);
     let name = tr!(
         "Waterfall: wavelengths from left to right, {first} above, {last} below",
@@ -173,18 +195,18 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     );
     let size = vec2(ui.available_width(), high);
     let (rect, response) = drawing(ui, size, Sense::hover(), &name);
-    let corner = rect.min + vec2(TIMES, 4.0);
-    let picture = Rect::from_min_max(corner, rect.max - vec2(8.0, BELOW));
+    let corner = rect.min + vec2(TIMES * theme.scale, 4.0);
+    let picture = Rect::from_min_max(corner, rect.max - vec2(8.0, BELOW * theme.scale));
     let painter = ui.painter();
     let ink = ui.visuals().text_color();
-    let font = FontId::proportional(11.0);
+    let font = FontId::proportional(11.0 * theme.scale);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match &drawn.waterfall {
         Some(texture) => drop(painter.image(texture.id(), picture, whole, egui::Color32::WHITE)),
         None => {
             painter.rect_filled(picture, 0.0, egui::Color32::BLACK);
             let words = said!("There was no light yet.").to_owned();
-            let font = FontId::proportional(12.0);
+            let font = FontId::proportional(12.0 * theme.scale);
             let ink = egui::Color32::from_gray(180);
             painter.text(picture.center(), Align2::CENTER_CENTER, words, font, ink);
         }
@@ -195,6 +217,10 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     ] {
         let at = pos2(picture.left() - 6.0, y);
         painter.text(at, align, words, font.clone(), ink);
+    }
+    if let Some(held_ms) = drawn.of.held_ms {
+        let colour = theme.ink(Ink::Second);
+        held(ui, drawn, held_ms, picture, (font.clone(), colour));
     }
     let [from, to] = WATERFALL_NM;
     for nm in TICKS {
@@ -214,4 +240,21 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     response.on_hover_text(said!(
         "Every row is a moment, the first above; as bright as the light was at each wavelength."
     ));
+}
+
+/// A mark over the waterfall at the moment that is held.
+fn held(ui: &Ui, drawn: &Drawn, held_ms: f64, picture: Rect, (font, colour): (FontId, Color32)) {
+    let [first, last] = drawn.ends_ms;
+    if !(first..=last).contains(&held_ms) || first == last {
+        return;
+    }
+    let y = picture.top() + ((held_ms - first) / (last - first)) as f32 * picture.height();
+    let painter = ui.painter();
+    painter.hline(picture.x_range(), y, (1.6, colour));
+    // Not over the times at both ends.
+    let room = 2.0 * font.size;
+    if (picture.top() + room..picture.bottom() - room).contains(&y) {
+        let at = pos2(picture.left() - 6.0, y);
+        painter.text(at, Align2::RIGHT_CENTER, said!("held"), font, colour);
+    }
 }
