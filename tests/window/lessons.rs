@@ -184,7 +184,11 @@ fn a_lesson_that_is_not_about_the_model_judges_none() {
             begun(&mut ui, &lesson, index);
             for seen in Seen::ALL {
                 let brief = format!("Difference {}", seen.seen());
-                for verdict in [seen.verdict(Kind::Light), seen.verdict(Kind::Reflectance), brief] {
+                for verdict in [
+                    seen.verdict(Kind::Light),
+                    seen.verdict(Kind::Reflectance),
+                    brief,
+                ] {
                     let step = index + 1;
                     assert!(!is_written(&ui, &verdict), "{name}, step {step}: {verdict}");
                 }

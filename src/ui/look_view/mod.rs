@@ -316,7 +316,11 @@ fn automatic(
         model = model.join(", ")
     );
     told(match last_order(best.basis) == Some(best.order) {
-        true => [best_of_all.as_str(), said!("More waves would draw the noise.")].join(" "),
+        true => [
+            best_of_all.as_str(),
+            said!("More waves would draw the noise."),
+        ]
+        .join(" "),
         false => best_of_all,
     })
 }

@@ -16,9 +16,7 @@ use crate::{
     io::many,
     languages::{fixed, said, with_sign},
     spectrum::{Basis, Sampling, numbers_of_order},
-    study::{
-        truth::{self, STATED_ORDER, STATED_SHARE},
-    },
+    study::truth::{self, STATED_ORDER, STATED_SHARE},
 };
 
 pub(super) use samples::samples_row;
