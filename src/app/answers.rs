@@ -14,7 +14,7 @@ use super::{
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
     languages::{fixed, signed},
-    spectrum::{Basis, Kind, Line, detect},
+    spectrum::{Basis, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
