@@ -12,6 +12,7 @@ use egui::{
 pub use crate::app::studies::Wake;
 use crate::app::{
     chart::{self, Ink},
+    sheet::FONT,
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -149,7 +150,7 @@ pub fn install_fonts(context: &Context) {
     };
     context.add_font(FontInsert::new(
         "DejaVu Sans",
-        egui::FontData::from_static(include_bytes!("fonts/DejaVuSans.ttf")),
+        egui::FontData::from_static(FONT),
         vec![
             family(FontFamily::Proportional),
             family(FontFamily::Monospace),
