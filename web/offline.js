@@ -1,6 +1,6 @@
 // Keeps the page's files in the browser: after the first load it opens without a network.
 const VERSION = "@VERSION@";
-const FILES = ["./", "page.css", "page.js", "program.js", "program.wasm.packed", "icon.svg", "manifest.webmanifest"];
+const FILES = ["./", "page.css", "page.js", "program.js", "worker.js", "program.wasm.packed", "icon.svg", "manifest.webmanifest"];
 
 addEventListener("install", (event) => {
   event.waitUntil(caches.open(VERSION).then((cache) => cache.addAll(FILES)).then(() => skipWaiting()));

@@ -16,6 +16,27 @@ const context = await chromium.launchPersistentContext(join(work, "profile"), {
     "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader"],
 });
+// What is asked of Web Workers, and what comes of it.
+await context.addInitScript(() => {
+  globalThis.work = [];
+  const { postMessage, terminate } = Worker.prototype;
+  Worker.prototype.postMessage = function (what) {
+    if (what.kind) {
+      work.push(`asked ${what.kind}`);
+      const heard = ({ data }) => {
+        if (data.total !== undefined) return work.push(`told ${what.kind}`);
+        this.removeEventListener("message", heard);
+        work.push(`${data.answer ? "answered" : "left"} ${what.kind}`);
+      };
+      this.addEventListener("message", heard);
+    }
+    return postMessage.call(this, what);
+  };
+  Worker.prototype.terminate = function () {
+    work.push("ended");
+    return terminate.call(this);
+  };
+});
 const page = await context.newPage();
 const asked = [];
 const faults = [];
@@ -98,12 +119,31 @@ await opened();
 assert.equal((await kept()).own.length, 2);
 done("after a reload the workspace is there");
 
-// A job: computed between frames, its result drawn.
+// A job is run by another instance of the program, and cancelled.
+const worked = (words) => page.waitForFunction((words) => work.includes(words), words, { timeout: 120_000 });
+const work = () => page.evaluate(() => work);
 await opened("#page=tradeoff");
+await worked("answered sweep");
 await settled();
 await picture("tradeoff");
 assert.equal((await kept()).preferences.page, "tradeoff");
-done("a link opened a page whose figures take long");
+await opened("#page=race");
+await worked("told race");
+await settled();
+await picture("race");
+await page.mouse.click(300, 133);
+await worked("ended");
+await settled();
+await picture("cancelled");
+assert.ok(!(await work()).includes("answered race"));
+// What is asked while a job is under way is drawn before its end.
+await opened("#page=many");
+await worked("told many");
+await page.keyboard.press("Control+1");
+assert.notEqual((await kept()).preferences.page, "many");
+assert.ok(!(await work()).includes("answered many"), "another page came first");
+await worked("answered many");
+done("other instances of the program worked on jobs, one was cancelled, the window went on");
 
 // The command line answers as the program does.
 const numbers = (value, path = "") => typeof value === "object" && value !== null

@@ -205,6 +205,13 @@ fn for_fingers(style: &mut egui::Style) {
     style.interaction.interact_radius = NEAR_FINGER;
 }
 
+/// The least height of rows that stand on one another and are chosen from, points: they have no
+/// room around them.
+pub fn least_row(ui: &egui::Ui) -> f32 {
+    let has_fingers = ui.style().interaction.interact_radius >= NEAR_FINGER;
+    if has_fingers { FINGER } else { 0.0 }
+}
+
 /// Greys of both themes, from the ground up.
 fn colours(visuals: &mut egui::Visuals, dark: bool) {
     *visuals = if dark {

@@ -6,7 +6,10 @@ use super::{
     wish::MixWish,
 };
 use crate::{
-    app::{document::Document, studies::Question},
+    app::{
+        document::Document,
+        studies::{Crossing, Question},
+    },
     design::{
         SampleTables,
         mixture::Source,
@@ -38,6 +41,10 @@ impl Question for FrontProblem {
             Ok(found) => Some(Ok(found?)),
             Err(why) => Some(Err(format!("There is no front: {why}."))),
         }
+    }
+
+    fn crossing() -> Option<Crossing<Self, Self::Answer>> {
+        Some(Crossing::of("front"))
     }
 }
 
