@@ -151,9 +151,10 @@ addEventListener("hashchange", link);
 async function load() {
   const [packed, ...scripts] = await Promise.all(["program.wasm.packed", "program.js", "worker.js"].map((name) => fetch(name)));
   if (!packed.ok) throw new Error(`${packed.status} for the program`);
-  const program = packed.body.pipeThrough(new DecompressionStream("gzip"));
-  const headers = { "Content-Type": "application/wasm" };
-  module = await WebAssembly.compileStreaming(new Response(program, { headers }));
+  // What is kept in the browser was unpacked (offline.js).
+  module = packed.headers.get("Content-Type") === "application/wasm"
+    ? await WebAssembly.compileStreaming(packed)
+    : await WebAssembly.compile(unpack(new Uint8Array(await packed.arrayBuffer())));
   await init({ module_or_path: module });
   code = url(await Promise.all(scripts.map((script) => script.blob())), "text/javascript");
   isKeeper = await keeps;
