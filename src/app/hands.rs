@@ -9,7 +9,6 @@ use std::{
     thread,
 };
 
-use super::worker::Wake;
 use crate::study::Progress;
 
 /// How other instances are reached; each question has a number of its own.
@@ -33,6 +32,7 @@ pub enum Came {
 
 type Work = Box<dyn FnOnce()>;
 type Take = Box<dyn FnOnce(Came)>;
+type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// A question that another instance works on.
 struct Asked {
