@@ -45,7 +45,7 @@ mod tests {
     use crate::{
         app::{
             App, Command,
-            design::{MixWish, front_ask},
+            design::{front::front_ask, wish::MixWish},
             memo::ByAddress,
             studies::Field,
         },
@@ -58,7 +58,8 @@ mod tests {
         let mut light = app.document().light.spectrum.clone();
         light.name = "Mine".to_owned();
         app.apply(Command::Adopt(vec![light]));
-        assert!(app.document().light.key.starts_with("own/"));
+        let mine = app.document().own[0].clone();
+        app.apply(Command::Show(mine));
         app
     }
 
