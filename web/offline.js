@@ -1,10 +1,21 @@
 // Keeps the page's files in the browser: after the first load it opens without a network.
-const VERSION = "@VERSION@";
-const FILES = ["./", "page.css", "page.js", "program.js", "program.wasm.packed", "icon.svg", "manifest.webmanifest"];
+importScripts("unpack.js");
 
-addEventListener("install", (event) => {
-  event.waitUntil(caches.open(VERSION).then((cache) => cache.addAll(FILES)).then(() => skipWaiting()));
-});
+const VERSION = "@VERSION@";
+const PROGRAM = "program.wasm.packed";
+const FILES = ["./", "page.css", "page.js", "program.js", "worker.js", "unpack.js", PROGRAM, "icon.svg", "manifest.webmanifest"];
+
+async function keep() {
+  const cache = await caches.open(VERSION);
+  await cache.addAll(FILES);
+  // Later starts find it unpacked.
+  const packed = await (await cache.match(PROGRAM)).arrayBuffer();
+  const headers = { "Content-Type": "application/wasm" };
+  await cache.put(PROGRAM, new Response(unpack(new Uint8Array(packed)), { headers }));
+  await skipWaiting();
+}
+
+addEventListener("install", (event) => event.waitUntil(keep()));
 
 addEventListener("activate", (event) => {
   const old = (names) => Promise.all(names.filter((name) => name !== VERSION).map((name) => caches.delete(name)));

@@ -1,5 +1,5 @@
 // What the program asks of the browser (`host`), and what the browser tells the program.
-import init, { command, follow, hand_over, hide, start } from "./program.js";
+import init, { come, come_broken, command, follow, hand_over, hide, start, tell_progress } from "./program.js";
 
 const KEY = "spectral-explorer.workspace";
 const canvas = document.getElementById("window");
@@ -40,11 +40,47 @@ async function take(files) {
   }
 }
 
-function url(bytes, type) {
-  return URL.createObjectURL(new Blob([bytes], { type }));
+function url(parts, type) {
+  return URL.createObjectURL(new Blob(parts, { type }));
+}
+
+// Long work is done by other instances of the program, each in a Web Worker that is made of what is
+// here: nothing is asked of a server for it, and no address can be asked by it either.
+let module;
+let code;
+const idle = [];
+const working = new Map();
+
+function hire() {
+  const worker = new Worker(code, { type: "module" });
+  worker.postMessage({ module });
+  return worker;
 }
 
 globalThis.host = {
+  ask(number, kind, question) {
+    const worker = idle.pop() ?? hire();
+    working.set(number, worker);
+    worker.onmessage = ({ data: { answer, done, total } }) => {
+      if (total !== undefined) return tell_progress(number, done, total);
+      working.delete(number);
+      idle.push(worker);
+      come(number, answer);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      console.error(event.message);
+      working.delete(number);
+      worker.terminate();
+      come_broken(number);
+    };
+    // A copy: what came is a window on all that the program holds.
+    worker.postMessage({ kind, question: question.slice() });
+  },
+  stop(number) {
+    working.get(number)?.terminate();
+    working.delete(number);
+  },
   pick(folder) {
     const input = document.createElement("input");
     input.type = "file";
@@ -55,7 +91,7 @@ globalThis.host = {
   },
   download(name, bytes) {
     const link = document.createElement("a");
-    link.href = url(bytes, "application/octet-stream");
+    link.href = url([bytes], "application/octet-stream");
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
@@ -63,7 +99,7 @@ globalThis.host = {
   show(html) {
     const page = document.createElement("iframe");
     page.hidden = true;
-    page.src = url(html, "text/html");
+    page.src = url([html], "text/html");
     page.onload = () => page.contentWindow.print();
     document.querySelector("iframe")?.remove();
     document.body.append(page);
@@ -113,11 +149,14 @@ function link() {
 addEventListener("hashchange", link);
 
 async function load() {
-  const packed = await fetch("program.wasm.packed");
+  const [packed, ...scripts] = await Promise.all(["program.wasm.packed", "program.js", "worker.js"].map((name) => fetch(name)));
   if (!packed.ok) throw new Error(`${packed.status} for the program`);
-  const program = packed.body.pipeThrough(new DecompressionStream("gzip"));
-  const headers = { "Content-Type": "application/wasm" };
-  await init({ module_or_path: new Response(program, { headers }) });
+  // What is kept in the browser was unpacked (offline.js).
+  module = packed.headers.get("Content-Type") === "application/wasm"
+    ? await WebAssembly.compileStreaming(packed)
+    : await WebAssembly.compile(unpack(new Uint8Array(await packed.arrayBuffer())));
+  await init({ module_or_path: module });
+  code = url(await Promise.all(scripts.map((script) => script.blob())), "text/javascript");
   isKeeper = await keeps;
   await start(canvas);
   link();

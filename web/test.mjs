@@ -16,6 +16,27 @@ const context = await chromium.launchPersistentContext(join(work, "profile"), {
     "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader"],
 });
+// What is asked of Web Workers, and what comes of it.
+await context.addInitScript(() => {
+  globalThis.jobs = [];
+  const { postMessage, terminate } = Worker.prototype;
+  Worker.prototype.postMessage = function (what) {
+    if (what.kind) {
+      jobs.push(`asked ${what.kind}`);
+      const heard = ({ data }) => {
+        if (data.total !== undefined) return jobs.push(`told ${what.kind}`);
+        this.removeEventListener("message", heard);
+        jobs.push(`${data.answer ? "answered" : "left"} ${what.kind}`);
+      };
+      this.addEventListener("message", heard);
+    }
+    return postMessage.call(this, what);
+  };
+  Worker.prototype.terminate = function () {
+    jobs.push("ended");
+    return terminate.call(this);
+  };
+});
 const page = await context.newPage();
 const asked = [];
 const faults = [];
@@ -39,6 +60,8 @@ async function picture(name) {
   const bytes = await page.screenshot(pictures ? { path: join(pictures, `${name}.png`) } : {});
   return bytes;
 }
+// The button that stops the job of the page Many lights.
+const CANCEL = [249, 213];
 let step = 0;
 const done = (words) => console.log(`${++step}. ${words}`);
 
@@ -98,12 +121,40 @@ await opened();
 assert.equal((await kept()).own.length, 2);
 done("after a reload the workspace is there");
 
-// A job: computed between frames, its result drawn.
+// A job is run by another instance of the program, and cancelled.
+const worked = (words) => page.waitForFunction((words) => jobs.includes(words), words, { timeout: 120_000 });
+const jobs = () => page.evaluate(() => jobs);
 await opened("#page=tradeoff");
+await worked("answered sweep");
 await settled();
 await picture("tradeoff");
 assert.equal((await kept()).preferences.page, "tradeoff");
-done("a link opened a page whose figures take long");
+await opened("#page=race");
+await worked("answered race");
+// The window goes on while a job is under way.
+await opened("#page=many-lights");
+await page.evaluate(() => {
+  const { drawn } = host;
+  host.drawn = () => {
+    jobs.push("drawn");
+    drawn();
+  };
+});
+await worked("answered many");
+await settled();
+await picture("many");
+const log = await jobs();
+assert.ok(log.slice(log.indexOf("told many"), log.indexOf("answered many")).includes("drawn"), log.join());
+await opened("#page=many-lights");
+await worked("told many");
+await page.waitForTimeout(300);
+await picture("running");
+await page.mouse.click(...CANCEL);
+await worked("ended");
+await settled();
+await picture("cancelled");
+assert.ok(!(await jobs()).includes("answered many"));
+done("other instances of the program worked on jobs, one was cancelled, the window went on");
 
 // The command line answers as the program does.
 const numbers = (value, path = "") => typeof value === "object" && value !== null

@@ -23,6 +23,8 @@ mod families;
 pub mod figures;
 pub mod following;
 pub mod glossary;
+#[cfg(target_arch = "wasm32")]
+pub mod hands;
 pub mod headlines;
 mod history;
 pub mod import;

@@ -53,7 +53,7 @@ const OF_ONE: [&str; 9] = [
     "lux",
 ];
 /// The font of the window, so that the page looks the same everywhere.
-const FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
+pub static FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
 
 /// The page of the document's light as SVG.
 pub fn to_svg(app: &App) -> String {

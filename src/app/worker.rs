@@ -26,45 +26,7 @@ fn spawn(work: impl FnOnce() + Send + 'static) -> Hand {
 }
 
 #[cfg(target_arch = "wasm32")]
-pub use turns::take_turn;
-#[cfg(target_arch = "wasm32")]
-use turns::{Hand, spawn};
-
-/// In a browser there are no threads: work waits for its turn between two frames.
-#[cfg(target_arch = "wasm32")]
-mod turns {
-    use std::{cell::RefCell, collections::VecDeque};
-
-    type Work = Box<dyn FnOnce()>;
-
-    thread_local! {
-        static WAITING: RefCell<VecDeque<Work>> = RefCell::default();
-    }
-
-    pub(super) struct Hand;
-
-    impl Hand {
-        pub(super) fn join(self) -> super::thread::Result<()> {
-            while take_turn() {}
-            Ok(())
-        }
-    }
-
-    pub(super) fn spawn(work: impl FnOnce() + 'static) -> Hand {
-        WAITING.with_borrow_mut(|waiting| waiting.push_back(Box::new(work)));
-        Hand
-    }
-
-    /// Does the work that waits longest; `false` where none waits.
-    pub fn take_turn() -> bool {
-        let work = WAITING.with_borrow_mut(VecDeque::pop_front);
-        let is_one = work.is_some();
-        if let Some(work) = work {
-            work();
-        }
-        is_one
-    }
-}
+use super::hands::{Came, Hand, ask, spawn};
 
 /// Called on another thread when there is something new to draw.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -121,6 +83,49 @@ impl<T: Send + 'static> Worker<T> {
             unread: Vec::new(),
             ended: false,
             thread: Some(spawn(move || work(&tell))),
+            progress,
+        }
+    }
+
+    /// Has another instance of the program answer a question of a kind that it knows, where there
+    /// are such; what it does not answer is worked on here.
+    #[cfg(target_arch = "wasm32")]
+    pub fn far(
+        wake: &Wake,
+        question: (&str, &[u8]),
+        found: fn(&[u8]) -> Option<Option<T>>,
+        work: impl FnOnce(&Tell<T>) + 'static,
+    ) -> Self {
+        let (sender, news) = channel();
+        let tell = Tell {
+            sender: Some(sender),
+            wake: wake.clone(),
+            progress: Arc::default(),
+        };
+        let progress = tell.progress.clone();
+        let take = move |came| {
+            let answer = match came {
+                Came::Bytes(bytes) => found(&bytes),
+                Came::Nothing => None,
+                Came::Broken => return,
+            };
+            match answer {
+                Some(Some(found)) => {
+                    tell.send(found);
+                }
+                Some(None) => {}
+                None => {
+                    (tell.wake)();
+                    spawn(move || work(&tell));
+                }
+            }
+        };
+        let hand = ask(question, (&progress, wake), Box::new(take));
+        Self {
+            news,
+            unread: Vec::new(),
+            ended: false,
+            thread: Some(hand),
             progress,
         }
     }

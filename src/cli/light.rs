@@ -162,6 +162,10 @@ fn watched<R: Send>(
     inputs: &mut Inputs,
     work: impl FnOnce() -> R + Send,
 ) -> R {
+    // A page of a browser has no second thread.
+    if cfg!(target_arch = "wasm32") {
+        return work();
+    }
     let (sender, done) = channel::<()>();
     thread::scope(|scope| {
         let job = scope.spawn(move || {

@@ -48,7 +48,7 @@ const RED_END_K: f64 = 250.0;
 const BLUE_END_K: f64 = 1e10;
 
 /// A correlated colour temperature with its distance from the blackbody locus.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Cct {
     /// Temperature of the nearest blackbody, K.
     pub kelvin: f64,

@@ -22,7 +22,7 @@ pub(crate) const LAST_NM: u32 = 830;
 pub const POINTS: usize = (LAST_NM - FIRST_NM + 1) as usize;
 
 /// CIE tristimulus values; the scale is the caller's (most often Y = 100 for the light).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Xyz {
     /// X.
     pub x: f64,

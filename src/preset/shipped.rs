@@ -5,8 +5,10 @@ use std::sync::OnceLock;
 use super::group::Group;
 use crate::spectrum::Sampled;
 
+// Statics: a constant may stand in the program once for each place that uses it.
+
 /// The shipped files, in the order in which the library lists their groups.
-pub(super) const SHIPPED: [&str; 24] = [
+pub(super) static SHIPPED: [&str; 24] = [
     include_str!("../../presets/cie_illuminants.json"),
     include_str!("../../presets/cie_fluorescent_1nm.json"),
     include_str!("../../presets/cie_fluorescent_5nm.json"),
@@ -34,14 +36,14 @@ pub(super) const SHIPPED: [&str; 24] = [
 ];
 
 /// Descriptions of the shipped spectra, in words.
-pub(crate) const FAMILIES: &str = include_str!("../../presets/families.json");
+pub(crate) static FAMILIES: &str = include_str!("../../presets/families.json");
 
 /// The set of shipped surfaces under everyday names.
-pub(crate) const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
+pub(crate) static EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
 
 /// Tables that figures are computed from and that no library lists: it has their items already, in
 /// a coarser step.
-pub(super) const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];
+pub(super) static UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];
 
 /// The groups in the order of their files, those that no library lists last, each read when it is
 /// first asked for.

@@ -39,7 +39,7 @@ use std::{fmt::Debug, ops::Deref};
 use crate::spectrum::{Band, Kind};
 
 /// A family of representations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Family {
     /// Equally spaced samples, straight lines between them.
     Samples,

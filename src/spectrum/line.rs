@@ -37,7 +37,7 @@ const CLEAR_OF_ENDS_WIDTHS: f64 = 2.6;
 pub(crate) const NARROWEST_NM: f64 = 2.0;
 
 /// A line: its place, its power and how wide it is.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Line {
     /// Centre, nm.
     pub at_nm: f64,

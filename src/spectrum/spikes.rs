@@ -22,7 +22,7 @@ use super::{
 };
 
 /// Settings of the detector.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpikeSettings {
     /// Least share of the total power that a spike must carry, 0-1 (0.005 is the default 0.5 %).
     pub threshold: f64,

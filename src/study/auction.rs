@@ -24,7 +24,7 @@ use super::{
 use crate::spectrum::{Basis, Line, LineShape, numbers_of_order};
 
 /// Terms of an auction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Terms {
     /// Functions of the smooth part.
     pub basis: Basis,
@@ -37,7 +37,7 @@ pub struct Terms {
 }
 
 /// Something that numbers buy.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Purchase {
     /// That the lines are as wide as they are, for one number.
     Widths,
@@ -48,7 +48,7 @@ pub enum Purchase {
 }
 
 /// One step of the path.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Step {
     /// Purchases of this step; empty in the first step, which is order 0.
     pub bought: Vec<Purchase>,
@@ -70,7 +70,7 @@ pub struct Step {
 }
 
 /// Reason for the end of an auction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Ended {
     /// The budget was spent, or less than two numbers were left.
     Spent,
@@ -79,7 +79,7 @@ pub enum Ended {
 }
 
 /// A plain model at a price, for comparison.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Bid {
     /// Numbers.
     pub numbers: usize,
@@ -88,7 +88,7 @@ pub struct Bid {
 }
 
 /// The result of an auction.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Auction {
     /// The path, by rising numbers and falling error.
     pub steps: Vec<Step>,

@@ -14,7 +14,7 @@ use super::{
 use crate::spectrum::{Basis, SpikeSettings, numbers_of_order};
 
 /// A light with its models of every way and order.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SweptLight {
     /// Its name.
     pub name: String,
@@ -44,7 +44,7 @@ impl SweptLight {
 }
 
 /// Many lights, each with its models of every way and order.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct ManyLights {
     /// Those that shine in the range.
     pub lights: Vec<SweptLight>,

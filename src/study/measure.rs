@@ -77,7 +77,7 @@ impl Measure {
 }
 
 /// Something of every figure.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ByMeasure<T>([T; Measure::ALL.len()]);
 
 /// Errors of one model; a figure that does not exist, or was not requested, is `None`.

@@ -10,9 +10,18 @@ pub struct Progress {
     done: AtomicUsize,
     total: AtomicUsize,
     cancelled: AtomicBool,
+    told: Option<fn(usize, usize)>,
 }
 
 impl Progress {
+    /// One whose watcher is told of every step: how many are done, and of how many.
+    pub fn telling(told: fn(usize, usize)) -> Self {
+        Self {
+            told: Some(told),
+            ..Self::default()
+        }
+    }
+
     /// Says how many steps there will be from now on: what follows one another with the same
     /// watcher counts anew each time.
     pub fn expect(&self, total: usize) {
@@ -22,7 +31,16 @@ impl Progress {
 
     /// One step is done.
     pub fn step(&self) {
-        self.done.fetch_add(1, Ordering::Relaxed);
+        let before = self.done.fetch_add(1, Ordering::Relaxed);
+        if let Some(told) = self.told {
+            told(before + 1, self.total.load(Ordering::Relaxed));
+        }
+    }
+
+    /// Stands where another one does, of which this was told.
+    pub fn follow(&self, done: usize, total: usize) {
+        self.expect(total);
+        self.done.store(done, Ordering::Relaxed);
     }
 
     /// Share of the steps done, 0-1; 0 before their number is known.
@@ -65,5 +83,19 @@ mod tests {
         assert!(!progress.is_cancelled());
         progress.cancel();
         assert!(progress.is_cancelled());
+    }
+
+    #[test]
+    fn who_is_told_of_the_steps_can_have_another_stand_where_they_are() {
+        thread_local!(static TOLD: std::cell::RefCell<Vec<f32>> = const { std::cell::RefCell::new(Vec::new()) });
+        let progress = Progress::telling(|done, total| {
+            let mirror = Progress::default();
+            mirror.follow(done, total);
+            TOLD.with_borrow_mut(|told| told.push(mirror.share()));
+        });
+        progress.expect(2);
+        progress.step();
+        progress.step();
+        assert_eq!(TOLD.take(), [0.5, 1.0]);
     }
 }

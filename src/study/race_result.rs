@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// A competitor in the race.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Racer {
     /// A composite, or its smooth part alone.
     Composite(FitVariant),
@@ -130,7 +130,7 @@ pub struct RaceConfig {
 }
 
 /// Result of one racer on one light at one count.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Run {
     /// Numbers it took, at most the budget.
     pub numbers: usize,
@@ -145,7 +145,7 @@ pub struct Run {
 }
 
 /// Cost of a racer at one count, measured in this run on [`Race::cost_of`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Cost {
     /// Bytes of the stored numbers of one spectrum.
     pub bytes: usize,
@@ -158,7 +158,7 @@ pub struct Cost {
 }
 
 /// A whole race.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Race {
     /// Names and classes of the lights that shine.
     pub lamps: Vec<(String, String)>,

@@ -143,7 +143,7 @@ impl Examined {
 }
 
 /// One model of the sweep.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SweepPoint {
     /// Method of the fit.
     pub way: FitVariant,
@@ -158,7 +158,7 @@ pub struct SweepPoint {
 }
 
 /// Effect of the threshold, with one basis and fit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct ThresholdMap {
     /// Thresholds, percent of the power, rising.
     pub thresholds_percent: Vec<f64>,
@@ -179,7 +179,7 @@ impl ThresholdMap {
 }
 
 /// Error against numbers for one spectrum.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Sweep {
     /// All orders of the first way, then of the next.
     pub points: Vec<SweepPoint>,

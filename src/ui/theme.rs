@@ -13,6 +13,7 @@ use egui::{
 pub use crate::app::studies::Wake;
 use crate::app::{
     chart::{self, Ink},
+    sheet::FONT,
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -151,7 +152,7 @@ pub fn install_fonts(context: &Context) {
     };
     context.add_font(FontInsert::new(
         "DejaVu Sans",
-        egui::FontData::from_static(include_bytes!("fonts/DejaVuSans.ttf")),
+        egui::FontData::from_static(FONT),
         vec![
             family(FontFamily::Proportional),
             family(FontFamily::Monospace),
@@ -207,6 +208,13 @@ pub const NEAR_FINGER: f32 = 12.0;
 fn for_fingers(style: &mut egui::Style) {
     style.spacing.scroll.bar_width = 14.0;
     style.interaction.interact_radius = NEAR_FINGER;
+}
+
+/// The least height of rows that stand on one another and are chosen from, points: they have no
+/// room around them.
+pub fn least_row(ui: &egui::Ui) -> f32 {
+    let has_fingers = ui.style().interaction.interact_radius >= NEAR_FINGER;
+    if has_fingers { FINGER } else { 0.0 }
 }
 
 /// Greys of both themes, from the ground up.

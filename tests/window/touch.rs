@@ -6,7 +6,7 @@ use crate::{
     sizes::walk,
 };
 use eframe::egui;
-use egui::{Event, Pos2, Role, TouchDeviceId, TouchId, TouchPhase, Vec2};
+use egui::{Event, Pos2, Rect, Role, TouchDeviceId, TouchId, TouchPhase, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{pages::Page, workspace::Preferences},
@@ -67,9 +67,9 @@ fn the_first_touch_makes_targets_large_unless_a_person_chose() {
     assert_eq!(touch_of(&ui), Some(false));
 }
 
-/// Controls in sight: their names and sizes.
-fn targets(ui: &Ui) -> Vec<(Role, String, Vec2)> {
-    let screen = egui::Rect::from_min_size(Pos2::ZERO, TABLET.into());
+/// Controls in sight: their names and places.
+fn targets(ui: &Ui) -> Vec<(Role, String, Rect)> {
+    let screen = Rect::from_min_size(Pos2::ZERO, TABLET.into());
     let nodes = ui.root().children_recursive();
     let found = nodes.filter_map(|node| {
         let about = node.accesskit_node();
@@ -87,7 +87,7 @@ fn targets(ui: &Ui) -> Vec<(Role, String, Vec2)> {
         let is_there = is_target && !about.is_disabled() && about.bounding_box().is_some();
         let rect = is_there.then(|| node.rect())?;
         let name = about.label().unwrap_or_default();
-        (screen.contains_rect(rect)).then(|| (about.role(), name, rect.size()))
+        (screen.contains_rect(rect)).then(|| (about.role(), name, rect))
     });
     found.collect()
 }
@@ -99,7 +99,8 @@ fn every_control_on_every_page_has_a_target_for_a_finger() {
         let ui = on(page, Some(true));
         let found = targets(&ui);
         assert!(found.len() > 10, "{}", page.title());
-        for (role, name, size) in found {
+        for (role, name, rect) in found {
+            let size = rect.size();
             // What is written small has a target around it.
             let target = size + Vec2::splat(2.0 * NEAR_FINGER);
             if target.min_elem() < FINGER {
@@ -107,6 +108,28 @@ fn every_control_on_every_page_has_a_target_for_a_finger() {
             }
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn rows_that_stand_on_one_another_are_as_high_as_a_finger() {
+    let mut wrong = Vec::new();
+    let mut seen = 0;
+    for page in Page::all() {
+        let found = targets(&on(page, Some(true)));
+        let rows = || found.iter().filter(|(role, ..)| *role == Role::Button);
+        for (_, name, row) in rows() {
+            let is_below = |(_, _, other): &(Role, String, Rect)| {
+                other.x_range() == row.x_range() && (other.top() - row.bottom()).abs() < 0.5
+            };
+            let stands = rows().any(is_below);
+            seen += usize::from(stands);
+            if stands && row.height() < FINGER - 0.01 {
+                wrong.push(format!("{}: {name:?} {row:?}", page.title()));
+            }
+        }
+    }
+    assert!(seen > 10, "{seen}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

@@ -6,7 +6,10 @@ use super::{
     wish::MixWish,
 };
 use crate::{
-    app::{document::Document, studies::Question},
+    app::{
+        document::Document,
+        studies::{Crossing, Question},
+    },
     design::{
         SampleTables,
         mixture::Source,
@@ -39,6 +42,10 @@ impl Question for FrontProblem {
             Ok(found) => Some(Ok(found?)),
             Err(why) => Some(Err(tr!("There is no front: {why}.", why))),
         }
+    }
+
+    fn crossing() -> Option<Crossing<Self, Self::Answer>> {
+        Some(Crossing::of("front"))
     }
 }
 

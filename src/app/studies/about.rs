@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The subject of a study and what it is judged by.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct About {
     /// The spectrum.
     pub subject: ByAddress<Entry>,
@@ -52,7 +52,7 @@ impl About {
 }
 
 /// The surfaces that a light is judged by: a shipped set, and the user's own behind it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Patches {
     /// The group of the shipped ones.
     pub set: String,

@@ -24,7 +24,7 @@ use crate::{
 pub const CHECK_SET: &str = "tm30_ces99_5nm";
 
 /// The lights that race.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Field {
     /// One light.
     One(ByAddress<Entry>),
@@ -39,7 +39,7 @@ pub enum Field {
 }
 
 /// What a race is about.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct RaceAsk {
     /// The lights.
     pub field: Field,
@@ -185,7 +185,7 @@ fn shipped_lights() -> impl Iterator<Item = (&'static Preset, &'static NamedSpec
 }
 
 /// A class of shipped lights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Class {
     /// Standard lights, the sun and the sky.
     Smooth,

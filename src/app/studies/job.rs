@@ -3,9 +3,11 @@
 use std::{any::Any, sync::Arc};
 
 use crate::{
-    app::worker::{Wake, Worker},
+    app::worker::{Tell, Wake, Worker},
     study::Progress,
 };
+
+use super::crossing::Crossing;
 
 /// What takes long to answer, with all that its answer depends on.
 pub trait Question {
@@ -14,6 +16,15 @@ pub trait Question {
 
     /// The answer; `None` when there is none or it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Self::Answer>;
+
+    /// How it crosses to where there are no threads but other instances of the program; `None`
+    /// where it is answered between two frames there.
+    fn crossing() -> Option<Crossing<Self, Self::Answer>>
+    where
+        Self: Sized,
+    {
+        None
+    }
 }
 
 /// Where a computation stands.
@@ -69,6 +80,13 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     where
         F: FnOnce(&Progress) -> Option<T> + Send + 'static,
     {
+        self.begin(key, || {
+            let work = work();
+            Worker::start(wake, move |tell| tell_all(tell, work(&tell.progress)))
+        });
+    }
+
+    fn begin(&mut self, key: &K, start: impl FnOnce() -> Worker<T>) {
         self.take_in();
         if let Some(running) = &mut self.running {
             let progress = &running.worker.progress;
@@ -87,15 +105,9 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
             return;
         }
         self.stage = Stage::Running(0.0);
-        let work = work();
-        let worker = Worker::start(wake, move |tell| {
-            if let Some(found) = work(&tell.progress) {
-                tell.send(found);
-            }
-        });
         self.running = Some(Running {
             key: key.clone(),
-            worker,
+            worker: start(),
             superseded: false,
         });
     }
@@ -105,9 +117,16 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     where
         K: Question<Answer = T> + Send,
     {
-        self.ask(question, wake, || {
-            let question = question.clone();
-            move |progress: &Progress| question.answer(progress)
+        self.begin(question, || {
+            let own = question.clone();
+            let work = move |tell: &Tell<T>| tell_all(tell, own.answer(&tell.progress));
+            #[cfg(target_arch = "wasm32")]
+            if let Some(crossing) = K::crossing()
+                && let Some(bytes) = (crossing.asked)(question)
+            {
+                return Worker::far(wake, (crossing.kind, &bytes), crossing.found, work);
+            }
+            Worker::start(wake, work)
         });
     }
 
@@ -167,6 +186,12 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     /// Where the computation stands.
     pub fn stage(&self) -> Stage {
         self.stage
+    }
+}
+
+fn tell_all<T>(tell: &Tell<T>, found: Option<T>) {
+    if let Some(found) = found {
+        tell.send(found);
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use serde::{Deserialize, Serialize};
+
 use crate::{
     app::{App, Entry, memo::ByAddress, quality_report::light_of, tint},
     color::quality::{EFFICACY, Figures},
@@ -10,14 +12,14 @@ use crate::{
     study::{Progress, quality::figures_of_many},
 };
 
-use super::Question;
+use super::{Crossing, Question};
 
 /// The lights.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LightsQualityAsk(pub Vec<ByAddress<Entry>>);
 
 /// The quality of a light; what a light has no figure of is left out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LightQuality {
     /// The entry's key.
     pub key: String,
@@ -72,6 +74,10 @@ impl Question for LightsQualityAsk {
         let height = |row: &LightQuality| row.rf.unwrap_or(f64::NEG_INFINITY);
         rows.sort_by(|a, b| height(b).total_cmp(&height(a)));
         Some(rows)
+    }
+
+    fn crossing() -> Option<Crossing<Self, Self::Answer>> {
+        Some(Crossing::of("quality"))
     }
 }
 

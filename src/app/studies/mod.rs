@@ -2,6 +2,8 @@
 //! while the next is computed.
 
 mod about;
+mod crossing;
+mod far;
 mod field;
 mod job;
 mod lamps;
@@ -12,6 +14,8 @@ pub mod take;
 
 pub use super::worker::Wake;
 pub use about::{About, Patches, reflectances};
+pub use crossing::Crossing;
+pub use far::answered;
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
@@ -24,6 +28,8 @@ use std::{
     any::{Any, TypeId},
     collections::{HashMap, HashSet},
 };
+
+use serde::{Deserialize, Serialize};
 
 use super::{document::Document, memo::ByAddress, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
@@ -38,7 +44,7 @@ use crate::{
 };
 
 /// What a sweep is about.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SweepAsk {
     /// The spectrum and its measures.
     pub about: About,
@@ -74,10 +80,14 @@ impl Question for SweepAsk {
             progress,
         )
     }
+
+    fn crossing() -> Option<Crossing<Self, Sweep>> {
+        Some(Crossing::of("sweep"))
+    }
 }
 
 /// What error against order of many lights is about: who, and on what, as in a race.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ManyAsk(pub RaceAsk);
 
 impl ManyAsk {
@@ -106,10 +116,14 @@ impl Question for ManyAsk {
         let measures = of.patches.measures(of.band, of.observer);
         ManyLights::of(&measures, of.spikes, &self.lights(), CURVE_ORDER, progress)
     }
+
+    fn crossing() -> Option<Crossing<Self, ManyLights>> {
+        Some(Crossing::of("many"))
+    }
 }
 
 /// What an auction is about.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AuctionAsk {
     /// The spectrum and its measures.
     pub about: About,
@@ -142,6 +156,10 @@ impl Question for AuctionAsk {
             ..self.about.subject()
         };
         auction::hold(&subject, self.terms, progress)
+    }
+
+    fn crossing() -> Option<Crossing<Self, Auction>> {
+        Some(Crossing::of("auction"))
     }
 }
 
@@ -177,6 +195,10 @@ impl Question for RaceAsk {
             return None;
         }
         race::run(&self.course(), &self.lamps(), progress)
+    }
+
+    fn crossing() -> Option<Crossing<Self, Race>> {
+        Some(Crossing::of("race"))
     }
 }
 

@@ -3,14 +3,15 @@
 
 use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::{FORMAT, Preferences, VERSION, name_of};
 use crate::{
     app::{
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
-        entry::Entry,
+        entry::{Entry, bundled_entries},
         measured::measured_of,
+        memo::ByAddress,
         opened::ImageEntry,
         origin::{FileReading, MadeBy, Origin, SourceFile},
         pages::PageStates,
@@ -53,6 +54,38 @@ pub(super) struct OwnSpectrum {
     /// The formula of a refractive index, which the numbers are the table of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     formula: Option<Formula>,
+}
+
+/// An entry on its way to another instance of the program: a shipped one by its key.
+#[derive(Serialize, Deserialize)]
+enum Carried {
+    Shipped(String),
+    Own(Box<OwnSpectrum>),
+}
+
+impl Serialize for ByAddress<Entry> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut shipped = bundled_entries().iter();
+        match shipped.any(|entry| Arc::ptr_eq(entry, &self.0)) {
+            true => Carried::Shipped(self.0.key.clone()),
+            false => Carried::Own(Box::new(OwnSpectrum::of(&self.0))),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for ByAddress<Entry> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Carried::deserialize(deserializer)? {
+            Carried::Own(own) => own.into_entry().map(|entry| Self(Arc::new(entry))),
+            Carried::Shipped(key) => bundled_entries()
+                .iter()
+                .find(|entry| entry.key == key)
+                .map(|entry| Self(entry.clone()))
+                .ok_or_else(|| format!("found {key}, expected a shipped spectrum")),
+        }
+        .map_err(D::Error::custom)
+    }
 }
 
 /// A composite: the series' functions, range and coefficients, place and weight of its spikes, and

@@ -6,7 +6,7 @@ use crate::{
 };
 
 /// The figures of a mixture; `None` for those that do not exist.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct MixFigures {
     /// CIE 1931, Y = 100.
     pub xyz: Option<Xyz>,

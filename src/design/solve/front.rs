@@ -28,7 +28,7 @@ const RANGE_NM: [f64; 2] = [400.0, 700.0];
 const LEAST_WORTH: f64 = -1e5;
 
 /// Specification of a front.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct FrontProblem {
     /// The colour of every light.
     pub target: Target,
@@ -43,7 +43,7 @@ pub struct FrontProblem {
 }
 
 /// A line of a light.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct FrontLine {
     /// Its place.
     pub at_nm: f64,
@@ -52,7 +52,7 @@ pub struct FrontLine {
 }
 
 /// A light of the front.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct FrontPoint {
     /// The floor of efficacy it was sought at, lm/W.
     pub floor: f64,

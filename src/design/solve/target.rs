@@ -13,7 +13,7 @@ use crate::{
 const KELVIN: [f64; 2] = [1000.0, 100_000.0];
 
 /// A colour to be met, Y = 100.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Target {
     xyz: Xyz,
 }

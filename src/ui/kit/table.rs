@@ -6,7 +6,10 @@ use egui::{
 };
 
 use super::named_choice;
-use crate::{app::cells, ui::theme::Theme};
+use crate::{
+    app::cells,
+    ui::theme::{Theme, least_row},
+};
 
 /// A column: its title, what it means, and its share of the width.
 #[derive(Clone, Debug)]
@@ -211,10 +214,14 @@ impl<'a> Table<'a> {
     /// Height of a row, points.
     pub fn row_height(&self, ui: &Ui) -> f32 {
         let text = ui.text_style_height(&TextStyle::Body);
-        if self.dense {
+        let height = if self.dense {
             (text + 3.0).ceil()
         } else {
             text + 5.0
+        };
+        match self.enabled {
+            true => height.max(least_row(ui)),
+            false => height,
         }
     }
 

@@ -18,12 +18,14 @@ use super::{
 use crate::{
     app::{
         App, Tone,
+        hands::{self, Came, Others, take_turn},
         open::Loaded,
-        worker::take_turn,
+        studies,
         workspace::{self, Preferences},
     },
     io::disk,
     languages::{self, Language, said},
+    study::Progress,
 };
 
 /// What the page does for the program.
@@ -50,6 +52,16 @@ extern "C" {
     /// Tells that a frame was drawn.
     #[wasm_bindgen(js_namespace = host)]
     fn drawn();
+    /// Puts a question to a Web Worker; what comes of it comes by [`come`], how far it is by
+    /// [`tell_progress`].
+    #[wasm_bindgen(js_namespace = host)]
+    fn ask(number: u32, kind: &str, question: &[u8]);
+    /// Ends the Web Worker that works on a question.
+    #[wasm_bindgen(js_namespace = host)]
+    fn stop(number: u32);
+    /// Tells, in a Web Worker, how far the work is.
+    #[wasm_bindgen(js_namespace = host)]
+    fn told(done: usize, total: usize);
 }
 
 /// What came from the page since the last frame.
@@ -88,6 +100,30 @@ pub fn hide() {
     saver::write();
 }
 
+/// Answers a question in a Web Worker; nothing where it has to be answered where it was asked.
+#[wasm_bindgen]
+pub fn answer(kind: &str, question: &[u8]) -> Option<Vec<u8>> {
+    studies::answered(kind, question, &Progress::telling(told))
+}
+
+/// Takes what came of a question.
+#[wasm_bindgen]
+pub fn come(number: u32, answer: Option<Vec<u8>>) {
+    hands::come(number, answer.map_or(Came::Nothing, Came::Bytes));
+}
+
+/// Takes that the Web Worker of a question broke down.
+#[wasm_bindgen]
+pub fn come_broken(number: u32) {
+    hands::come(number, Came::Broken);
+}
+
+/// Takes how far the work on a question is.
+#[wasm_bindgen]
+pub fn tell_progress(number: u32, done: usize, total: usize) {
+    hands::follow(number, done, total);
+}
+
 /// Starts the window on a canvas.
 ///
 /// # Errors
@@ -102,6 +138,7 @@ pub async fn start(canvas: HtmlCanvasElement) -> Result<(), JsValue> {
     let creator: eframe::AppCreator<'static> = Box::new(|creation| {
         // Fonts take effect in the next frame: before the first one they are never missed.
         theme::install_fonts(&creation.egui_ctx);
+        hands::reach(Others { ask, stop });
         CONTEXT.with(|context| context.set(creation.egui_ctx.clone()).is_ok());
         Ok(Box::new(Shell::new()))
     });
@@ -162,6 +199,7 @@ impl eframe::App for Shell {
         }
         self.window.open_files(paths, waker(&context));
         self.window.show(ui);
+        hands::stop_cancelled();
         for disk::Saved { path, bytes } in disk::take_saved() {
             let is_shown = SHOWN.with_borrow_mut(|shown| {
                 let place = shown.iter().position(|one| *one == path);
