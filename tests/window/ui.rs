@@ -22,7 +22,7 @@ use spectral_explorer::{
         App, Command, Entry, Height, Scale, Settings, Subject, Tone, View, chart, charts,
         derived::OF_CURVE,
         export::Export,
-        measured::spectrum,
+        measured,
         verdicts::Seen,
         workspace::{self, Preferences},
     },
@@ -327,7 +327,7 @@ fn automatic_stops_where_the_noise_of_a_light_begins() {
     let mut of = Measurement::new("lamp", Quantity::Light, "", samples.expect("finite"));
     let entry = |of: &Measurement| Entry {
         measured: Some(Arc::new(of.clone())),
-        ..Entry::own(1, spectrum(of, ""))
+        ..Entry::own(1, measured::spectrum(of, ""))
     };
     let mut order = |tells: bool| {
         of.sigma = tells.then(|| vec![0.03 / 12.0_f64.sqrt(); 401]);
