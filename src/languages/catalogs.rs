@@ -2,23 +2,59 @@
 
 use std::{
     borrow::Cow,
+    collections::HashMap,
     sync::{LazyLock, Once},
 };
 
-use tr::{PoTranslator, Translator};
+use tr::Translator;
 
 use super::{Language, spoken};
 
-static GERMAN: LazyLock<PoTranslator> = LazyLock::new(|| read(include_str!("de.po")));
-static SPANISH: LazyLock<PoTranslator> = LazyLock::new(|| read(include_str!("es.po")));
-static FRENCH: LazyLock<PoTranslator> = LazyLock::new(|| read(include_str!("fr.po")));
+static GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::read(include_str!("de.po")));
+static SPANISH: LazyLock<Texts> = LazyLock::new(|| Texts::read(include_str!("es.po")));
+static FRENCH: LazyLock<Texts> = LazyLock::new(|| Texts::read(include_str!("fr.po")));
 
-fn read(file: &str) -> PoTranslator {
-    PoTranslator::from_vec_u8(file.as_bytes().to_vec()).expect("a test reads every file")
+/// The texts of a language, by the English ones.
+struct Texts {
+    /// Of one thing, and of several where a text counts.
+    all: HashMap<String, [String; 2]>,
+    /// The same of texts that say which meaning is meant.
+    by_meaning: HashMap<(String, String), [String; 2]>,
 }
 
-/// The texts of a language; none for English, which stands in the code.
-fn texts() -> Option<&'static PoTranslator> {
+impl Texts {
+    fn read(file: &str) -> Self {
+        // Not by `PoTranslator`: version 0.1.11 finds nothing in bytes.
+        let file = rspolib::pofile(file).expect("a test reads every file");
+        let (mut all, mut by_meaning) = (HashMap::new(), HashMap::new());
+        for entry in file.entries {
+            let mut several = entry.msgstr_plural.into_iter();
+            let one = entry.msgstr.or_else(|| several.next()).unwrap_or_default();
+            // What nobody has translated yet is said in English.
+            if one.is_empty() {
+                continue;
+            }
+            let both = [one, several.next().unwrap_or_default()];
+            match entry.msgctxt {
+                None => drop(all.insert(entry.msgid, both)),
+                Some(meaning) => drop(by_meaning.insert((meaning, entry.msgid), both)),
+            }
+        }
+        Self { all, by_meaning }
+    }
+
+    fn find(&self, english: &str, meaning: Option<&str>) -> Option<&[String; 2]> {
+        match meaning {
+            None => self.all.get(english),
+            Some(meaning) => self
+                .by_meaning
+                .get(&(meaning.to_owned(), english.to_owned())),
+        }
+    }
+}
+
+/// The texts of the language spoken; none for English, which stands in the code.
+fn texts() -> Option<&'static Texts> {
     match spoken() {
         Language::English => None,
         Language::German => Some(&GERMAN),
@@ -27,43 +63,44 @@ fn texts() -> Option<&'static PoTranslator> {
     }
 }
 
+fn found(english: &str, meaning: Option<&str>) -> Option<&'static [String; 2]> {
+    texts()?.find(english, meaning)
+}
+
 /// A text without figures in the language spoken.
 pub fn said(english: &'static str) -> &'static str {
-    // The empty text is the head of a file.
-    let texts = texts().filter(|_| !english.is_empty());
-    match texts.map(|texts| texts.translate(english, None)) {
-        Some(Cow::Borrowed(text)) => text,
-        _ => english,
-    }
+    found(english, None).map_or(english, |[text, _]| text)
 }
 
 /// The same of a text that is known only as the program runs, such as a name in a file.
 pub fn translated(english: &str) -> Cow<'_, str> {
-    let texts = texts().filter(|_| !english.is_empty());
-    texts.map_or(Cow::Borrowed(english), |texts| {
-        texts.translate(english, None)
-    })
+    let text = found(english, None).map(|[text, _]| text.as_str());
+    Cow::Borrowed(text.unwrap_or(english))
 }
 
 /// Answers [`tr!`](tr::tr) on each thread in the language that it speaks.
 struct Spoken;
 
 impl Translator for Spoken {
-    fn translate<'a>(&'a self, text: &'a str, context: Option<&'a str>) -> Cow<'a, str> {
-        texts().map_or(Cow::Borrowed(text), |texts| texts.translate(text, context))
+    fn translate<'a>(&'a self, english: &'a str, meaning: Option<&'a str>) -> Cow<'a, str> {
+        let text = found(english, meaning).map(|[text, _]| text.as_str());
+        Cow::Borrowed(text.unwrap_or(english))
     }
 
     fn ntranslate<'a>(
         &'a self,
         n: u64,
         one: &'a str,
-        many: &'a str,
-        context: Option<&'a str>,
+        several: &'a str,
+        meaning: Option<&'a str>,
     ) -> Cow<'a, str> {
-        match texts() {
-            Some(texts) => texts.ntranslate(n, one, many, context),
-            None => Cow::Borrowed(if n == 1 { one } else { many }),
-        }
+        let is_one = n == 1 || n == 0 && spoken() == Language::French;
+        Cow::Borrowed(match found(one, meaning) {
+            Some([text, _]) if is_one => text,
+            Some([_, text]) => text,
+            None if n == 1 => one,
+            None => several,
+        })
     }
 }
 
@@ -71,4 +108,39 @@ impl Translator for Spoken {
 pub(super) fn hear() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| set_translator!(Spoken));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::languages::{Language, in_language, said, translated};
+
+    #[test]
+    fn a_text_is_said_in_each_language_and_counts_as_it_does() {
+        let lines = |count: usize| tr!("{n} light" | "{n} lights" % count);
+        for (language, open, counts) in [
+            (
+                Language::English,
+                "Open",
+                ["0 lights", "1 light", "2 lights"],
+            ),
+            (
+                Language::German,
+                "Öffnen",
+                ["0 Lichter", "1 Licht", "2 Lichter"],
+            ),
+            (Language::Spanish, "Abrir", ["0 luces", "1 luz", "2 luces"]),
+            (
+                Language::French,
+                "Ouvrir",
+                ["0 lumière", "1 lumière", "2 lumières"],
+            ),
+        ] {
+            in_language(language, || {
+                assert_eq!((said("Open"), &*translated("Open")), (open, open));
+                assert_eq!([0, 1, 2].map(lines), counts);
+                // What nobody translated, and nothing, stay as they are.
+                assert_eq!((said("FL3.1"), said("")), ("FL3.1", ""));
+            });
+        }
+    }
 }

@@ -152,8 +152,10 @@ fn path(language: Language) -> PathBuf {
 }
 
 fn catalog(language: Language) -> POFile {
-    let text = fs::read(path(language)).expect("a file of texts");
-    pofile(text).unwrap_or_else(|why| panic!("{}: {why}", language.code()))
+    let text = fs::read_to_string(path(language)).expect("a file of texts");
+    let catalog = pofile(text.as_str()).unwrap_or_else(|why| panic!("{}: {why}", language.code()));
+    assert!(!catalog.entries.is_empty(), "{} is read", language.code());
+    catalog
 }
 
 fn key(entry: &POEntry) -> Text {
