@@ -18,7 +18,7 @@ use crate::{
         App, Command, Scale, Settings, Subject, WEIGHT_FACTORS, own_observers::observers,
         pages::knob::Knob, range_words,
     },
-    io::quoted,
+    io::{many::capitalised, quoted},
     languages::{fixed, said, with_sign},
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
 };
@@ -97,7 +97,7 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
             ui.selectable_value(
                 &mut settings.basis,
                 basis,
-                crate::languages::said(basis.name()),
+                capitalised(said(basis.name())),
             )
             .on_hover_text(crate::languages::said(basis.meaning()));
         }

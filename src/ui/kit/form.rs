@@ -2,7 +2,9 @@
 //! in the second.
 
 use eframe::egui;
-use egui::{Align, Grid, Layout, Response, Slider, Ui, vec2};
+use egui::{
+    Align, Grid, Layout, Response, Slider, TextStyle, TextWrapMode, Ui, WidgetText, vec2,
+};
 
 use super::Choice;
 
@@ -33,7 +35,14 @@ impl Form<'_> {
         (name, meaning): (&str, &str),
         add: impl FnOnce(&mut Ui, &Response) -> R,
     ) -> R {
-        let size = self.ui.spacing().interact_size.y * vec2(NAME, 1.0);
+        let mut size = self.ui.spacing().interact_size.y * vec2(NAME, 1.0);
+        let words = WidgetText::from(name).into_galley(
+            self.ui,
+            Some(TextWrapMode::Extend),
+            f32::INFINITY,
+            TextStyle::Body,
+        );
+        size.x = size.x.max(words.size().x);
         let right = Layout::right_to_left(Align::Center);
         let cell = self.ui.allocate_ui_with_layout(size, right, |ui| {
             ui.set_min_size(size);

@@ -2,9 +2,9 @@
 
 use super::{spikes_words, waves_words};
 use crate::{
-    app::{studies::SweepAsk, ticks::short},
+    app::studies::SweepAsk,
     io::many::numbers,
-    languages::said,
+    languages::{said, with_sign},
     study::{Measure, Sweep, SweepPoint},
 };
 
@@ -42,8 +42,8 @@ pub fn needs(
 ) -> [String; 2] {
     let of = measure.figure().goal();
     let goal = |limit: f64| match measure.is_colour() {
-        true => format!("ΔE₀₀ {}", short(limit)),
-        false => format!("{} %", short(limit)),
+        true => format!("ΔE₀₀ {}", with_sign(limit.to_string())),
+        false => format!("{} %", with_sign(limit.to_string())),
     };
     let name = ask.about.subject.0.name();
     let [large, small] = limits.map(goal);
