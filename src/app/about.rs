@@ -138,7 +138,7 @@ fn table_words(entry: &Entry) -> String {
     let (steps, source) = (steps_words(&entry.spectrum.samples), &entry.spectrum.source);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
-            let table_of = capitalised(&table.of);
+            let table_of = capitalised(&translated(&table.of));
             match table.from_nm {
                 Some(nm) => tr!("{table_of}, {steps} from {nm} nm data", table_of, steps, nm),
                 None => format!("{table_of}, {steps}"),

@@ -79,12 +79,8 @@ pub fn normalised(of: &Measurement, by: Normalise) -> Result<Measurement, Measur
     let pairs = || samples.nm().windows(2).zip(samples.values().windows(2));
     let divisor = match by {
         Normalise::Peak => {
-            let peak = samples
-                .values()
-                .iter()
-                .copied()
-                .fold(f64::NEG_INFINITY, f64::max);
-            peak
+            let values = samples.values().iter().copied();
+            values.fold(f64::NEG_INFINITY, f64::max)
         }
         Normalise::Area => {
             let areas = pairs().map(|(nm, v)| 0.5 * (nm[1] - nm[0]) * (v[0] + v[1]));

@@ -153,7 +153,7 @@ pub enum BenchError {
         "{}",
         tr!(
             "{what}: expected a length above 0 and up to 1e6 mm, found {found}",
-            what = said(*what),
+            what = said(what),
             found = with_sign(found.to_string())
         )
     )]

@@ -51,8 +51,8 @@ pub enum CutError {
         "{}",
         tr!(
             "{what}: expected {expected}, found {found}",
-            what = said(*what),
-            expected = said(*expected),
+            what = said(what),
+            expected = said(expected),
             found = with_sign(found.to_string())
         )
     )]

@@ -74,11 +74,11 @@ pub enum SolidError {
     /// A half-space that has fewer than three corners.
     #[error(
         "{}",
-        tr!("expected a facet for each plane, found none for the {name}", name = said(*name))
+        tr!("expected a facet for each plane, found none for the {name}", name = said(name))
     )]
     LostFacet { name: &'static str },
     /// The half-spaces do not close, or close beyond a thousand units.
-    #[error("{}", tr!("expected a closed body, found the {name} open", name = said(*name)))]
+    #[error("{}", tr!("expected a closed body, found the {name} open", name = said(name)))]
     Open { name: &'static str },
     /// Corners or edges so near to one another that they cannot be told apart.
     #[error(

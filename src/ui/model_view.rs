@@ -94,12 +94,8 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
 fn basis_row(ui: &mut Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
         for basis in Basis::ALL {
-            ui.selectable_value(
-                &mut settings.basis,
-                basis,
-                capitalised(said(basis.name())),
-            )
-            .on_hover_text(crate::languages::said(basis.meaning()));
+            ui.selectable_value(&mut settings.basis, basis, capitalised(said(basis.name())))
+                .on_hover_text(crate::languages::said(basis.meaning()));
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, said(names::COLOUR_EXACT))

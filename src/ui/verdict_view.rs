@@ -22,7 +22,7 @@ use crate::{
         verdicts::Seen,
         workspace::Preferences,
     },
-    languages::said,
+    languages::{said, with_sign},
 };
 
 /// What of the column is shown.
@@ -182,7 +182,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
 /// An error in the two digits that it is good for.
 pub(super) fn figure(delta: f64) -> String {
     match delta {
-        d if d < 0.01 => "< 0.01".to_owned(),
+        d if d < 0.01 => with_sign("< 0.01".to_owned()),
         d => two_digits(d),
     }
 }

@@ -148,7 +148,9 @@ fn a_sheet_is_written_with_its_pictures_and_replaces_nothing_unasked() {
 /// A shipped lesson's file without its texts in other languages.
 fn in_its_own_language(name: &str) -> String {
     let text = &shelf::named(name).expect("shipped").text;
-    let (own, _) = text.split_once(",\n  \"texts\": {").expect("texts at the end");
+    let (own, _) = text
+        .split_once(",\n  \"texts\": {")
+        .expect("texts at the end");
     format!("{own}\n}}\n")
 }
 

@@ -129,7 +129,9 @@ fn texts() -> Vec<Text> {
     for file in files {
         let code = fs::read_to_string(&file).expect("a source file is UTF-8");
         // What tests say is in English.
-        let tests = code.find("\n#[cfg(test)]\nmod ").unwrap_or(code.len());
+        let tests = code
+            .find("\n#[cfg(test)]\nmod tests {")
+            .unwrap_or(code.len());
         found.extend(marked(&code[..tests]));
     }
     for preset in ["families.json", "everyday_surfaces.json"] {

@@ -285,7 +285,7 @@ impl Chart {
     /// An empty chart over wavelengths, from the first to the last.
     pub fn over_nm(x_range: [f64; 2]) -> Self {
         Self {
-            x_label: "Wavelength (nm)".to_owned(),
+            x_label: said!("Wavelength (nm)").to_owned(),
             x_range,
             ..Self::default()
         }

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     color::quality::{Fidelity, Light, NoFigure, Rendering, diagram::quadrangle_of},
-    languages::{fixed, signed},
+    languages::{fixed, said, signed},
     measurements::Doubted,
     spectrum::NamedSpectrum,
     study::{
@@ -236,7 +236,7 @@ impl ByOrder {
 pub fn settled_words(found: &OrderFigures) -> String {
     let highest = found.points.last().map_or(0, |point| point.order);
     let said = Chosen::ALL.map(|chosen| {
-        let title = chosen.title();
+        let title = said(chosen.title());
         let Some(exact) = chosen.of(&found.exact) else {
             return tr!("{title} has no value", title);
         };

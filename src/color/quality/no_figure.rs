@@ -44,7 +44,7 @@ pub enum NoFigure {
         tr!(
             "expected a positive {sum}, found none: nothing visible, or negative samples outweigh \
              the rest",
-            sum = said(*sum)
+            sum = said(sum)
         )
     )]
     NotPositive {
@@ -95,13 +95,13 @@ pub enum NoFigure {
     )]
     RedEnd,
     /// The formula leaves its range for this light.
-    #[error("{}", tr!("out of the formula's range: {what}", what = said(*what)))]
+    #[error("{}", tr!("out of the formula's range: {what}", what = said(what)))]
     OutOfRange {
         /// Quantity or condition that failed.
         what: &'static str,
     },
     /// Not computed, and why.
-    #[error("{}", said(*.0))]
+    #[error("{}", said(.0))]
     LeftOut(&'static str),
     /// The unit does not say what is measured.
     #[error(
@@ -146,7 +146,7 @@ pub enum NoFigure {
     #[error("{}", said!("the reference has no light in 375-675 nm"))]
     DarkReference,
     /// Left out for want of tables.
-    #[error("{}", said(*which))]
+    #[error("{}", said(which))]
     NoTables {
         /// Which.
         which: &'static str,

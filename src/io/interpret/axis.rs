@@ -114,6 +114,10 @@ impl Whence {
 /// what they say they are.
 ///
 /// With it another unit that the file names, which makes no sense or is not known here.
+#[expect(
+    clippy::too_many_lines,
+    reason = "each case says a whole sentence, whose figures stand in lines of their own"
+)]
 pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     let (min, max) = axis.range;
     let [from, to] = [min, max].map(|x| with_sign(x.to_string()));

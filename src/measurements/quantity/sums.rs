@@ -13,6 +13,10 @@ use crate::{
 ///
 /// # Errors
 /// A sentence for a combination that means nothing.
+#[expect(
+    clippy::too_many_lines,
+    reason = "each case says a whole sentence, whose figures stand in lines of their own"
+)]
 pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, MeasurementError> {
     use Quantity::{Absorbance, Counts, Light, Number};
     let text = format!("({} {sign} {})", a.text, b.text);

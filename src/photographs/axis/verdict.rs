@@ -199,6 +199,10 @@ impl Judged<'_> {
     }
 
     /// Reason not to use the axis at once.
+    #[expect(
+        clippy::too_many_lines,
+        reason = "each case says a whole sentence, whose figures stand in lines of their own"
+    )]
     fn against(&self, runner_up: Option<&Solution>) -> Option<String> {
         let solution = self.solution;
         let (lines, places) = (solution.matches.len(), self.places());

@@ -162,6 +162,10 @@ impl CompactFile {
     ///
     /// # Errors
     /// [`PictureError::Broken`] with what is wrong.
+    #[expect(
+        clippy::too_many_lines,
+        reason = "each case says a whole sentence, whose figures stand in lines of their own"
+    )]
     pub fn open(bytes: Vec<u8>) -> Result<Self, PictureError> {
         let chunks = png_chunks(&bytes).ok_or_else(|| {
             PictureError::broken(said!("no PNG"), said!("a composite picture NAME.cspx.png"))

@@ -2,9 +2,7 @@
 //! in the second.
 
 use eframe::egui;
-use egui::{
-    Align, Grid, Layout, Response, Slider, TextStyle, TextWrapMode, Ui, WidgetText, vec2,
-};
+use egui::{Align, Grid, Layout, Response, Slider, TextStyle, TextWrapMode, Ui, WidgetText, vec2};
 
 use super::Choice;
 

@@ -78,6 +78,7 @@ impl Window {
         }
     }
 
+    #[expect(clippy::too_many_lines, reason = "a table: one arm an act")]
     pub(super) fn act(&mut self, act: Act, context: &Context) {
         const FINER: f64 = 1.25;
         match act {

@@ -19,7 +19,7 @@ use crate::{
     },
     color::{Adaptation, Swatch, Xyz, srgb::linear_from_xyz},
     io::many::numbers,
-    languages::fixed,
+    languages::{fixed, said},
     spectrum::{Band, gaussian},
     study::products::{Colours, Narrow, NarrowPoint},
 };
@@ -329,7 +329,7 @@ impl Behind {
                 .iter()
                 .map(|point| [point.centre_nm, error(&of(point, way)).unwrap_or(f64::NAN)])
                 .collect();
-            series.push(thin(WAYS[way], ink, points, dash));
+            series.push(thin(said(WAYS[way]), ink, points, dash));
         }
         let [low, high] = range(&series, luminance);
         if let Some(centre_nm) = marked {

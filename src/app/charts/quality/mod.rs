@@ -280,11 +280,11 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     series.push(Series::line(said!("model"), Ink::Spikes, points.clone()));
     series.push(Series::points("", Ink::Spikes, Shape::Dot, points));
     Chart {
-        title: tr!("{figure} against waves", figure = chosen.title()),
+        title: tr!("{figure} against waves", figure = said(chosen.title())),
         x_label: said!("Waves").to_owned(),
         y_label: match chosen {
             Chosen::Cct => "CCT (K)".to_owned(),
-            other => other.title().to_owned(),
+            other => said(other.title()).to_owned(),
         },
         x_range: [0.0, shown.min(last)],
         series,

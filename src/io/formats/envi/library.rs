@@ -20,6 +20,10 @@ const LOOKED_AT: usize = 20_000;
 ///
 /// # Errors
 /// [`ReadError`] when the data are too short, or the header gives no wavelengths.
+#[expect(
+    clippy::too_many_lines,
+    reason = "each case says a whole sentence, whose figures stand in lines of their own"
+)]
 pub(super) fn read(
     header: &Header,
     data: &[u8],

@@ -126,6 +126,10 @@ fn unit_of(
 }
 
 /// Reads the spectrum of one block; returns its number of points.
+#[expect(
+    clippy::too_many_lines,
+    reason = "each case says a whole sentence, whose figures stand in lines of their own"
+)]
 fn read_block(
     input: &Input,
     block: &Block,

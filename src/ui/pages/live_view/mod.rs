@@ -104,8 +104,11 @@ pub struct LiveView {
     course: over_time::OverTime,
     /// Kept until another spectrum is shown, which most frames of the window do not bring.
     chart: Memo<ChartOf, Chart>,
-    told: Memo<(Option<ByAddress<Shown>>, Vec<String>), Vec<Told>>,
+    told: Memo<ToldOf, Vec<Told>>,
 }
+
+/// What figures are told of: a spectrum, and which ones.
+type ToldOf = (Option<ByAddress<Shown>>, Vec<String>);
 
 /// What the spectrum's chart is made of.
 #[derive(Clone, PartialEq)]

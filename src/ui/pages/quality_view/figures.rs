@@ -178,8 +178,8 @@ fn tile(ui: &mut Ui, theme: Theme, tile: &Tile, shown: &QualityShown) {
         ui.painter()
             .galley(pos2(rect.left(), top), title, theme.faint);
         let doubt = match &tile.sides[..] {
-            [told] if !told.half.is_empty() => format!("{} {}", tile.figure, told.half),
-            _ => tile.figure.to_owned(),
+            [told] if !told.half.is_empty() => format!("{} {}", said(tile.figure), told.half),
+            _ => said(tile.figure).to_owned(),
         };
         let figure = cut_words(ui, &doubt, font.clone(), theme.faint, 0.42 * rect.width());
         let at = pos2(rect.right() - figure.size().x, top);
@@ -283,7 +283,7 @@ fn read_out(tile: &Tile, shown: &QualityShown) -> String {
             "{} {} {}, {}",
             side.name,
             told.told(),
-            tile.figure,
+            said(tile.figure),
             told.word
         );
         match tile.better == Some(i) {

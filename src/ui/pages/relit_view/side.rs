@@ -98,7 +98,7 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
     let columns = [
         Column::words(said!("file"), said!("The way of keeping the picture."), 2.4),
         Column::numbers(said!("size"), said!("Written and counted here."), 1.2),
-        Column::numbers("B/pixel", said!("Bytes a pixel."), 1.0),
+        Column::numbers(said!("B/pixel"), said!("Bytes a pixel."), 1.0),
         Column::numbers(
             "ΔE₀₀",
             said!("Own colour, read back: 95 % of all pixels are within."),

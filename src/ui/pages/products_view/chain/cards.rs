@@ -16,7 +16,7 @@ use crate::{
         product_report::scaled,
         ticks::short,
     },
-    languages::{fixed, said},
+    languages::{fixed, said, with_sign},
     study::products::Colours,
     ui::{
         kit::{Chooser, down, lights, named_choice},
@@ -141,7 +141,7 @@ fn percent(share: f64) -> String {
     match value {
         v if v >= 9.95 => format!("{} %", fixed(v, 0)),
         v if v >= 0.095 => format!("{} %", fixed(v, 1)),
-        v if v > 0.0 => "< 0.1 %".to_owned(),
+        v if v > 0.0 => with_sign("< 0.1 %".to_owned()),
         _ => "0 %".to_owned(),
     }
 }
