@@ -85,7 +85,7 @@ impl About {
         if parts.is_empty() {
             self.name.clone()
         } else {
-            format!("{}: {}", self.name, parts.join(", "))
+            tr!("{light}: {what}", light = self.name, what = parts.join(", "))
         }
     }
 

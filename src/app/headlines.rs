@@ -10,13 +10,18 @@ use super::{
     },
     numbers::{delta_e, hundredths, or_dash, percent, two_digits},
     opened::ImageEntry,
+    picture::WALL_KEY,
     product_report::Told,
     state::App,
     studies::paper::{Row, Verdict},
     ticks::short,
     verdicts::Seen,
 };
-use crate::{languages::fixed, spectrum::Sampling, study::products::Passage};
+use crate::{
+    languages::{fixed, translated},
+    spectrum::Sampling,
+    study::products::Passage,
+};
 
 /// How many dark lines were found, and how many of them have a name.
 pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
@@ -316,7 +321,10 @@ pub fn image(entry: &ImageEntry, pixels: usize) -> String {
     tr!(
         "{image}: each of its pixels is a spectrum of {n} band. {chosen}"
             | "{image}: each of its pixels is a spectrum of {n} bands. {chosen}" % cube.nm().len(),
-        image = entry.image.name,
+        image = match entry.key == WALL_KEY {
+            true => translated(&entry.image.name),
+            false => (&*entry.image.name).into(),
+        },
         chosen
     )
 }

@@ -4,6 +4,7 @@
 use super::{document::Document, search::favourites, state::App};
 use crate::{
     color::{Adaptation, Swatch, Xyz, xyz_from_light, xyz_from_reflectance},
+    languages::said,
     spectrum::Kind,
 };
 
@@ -64,7 +65,7 @@ pub fn under_favourites(app: &App) -> Vec<(&'static str, Swatch)> {
             let samples = &light.entry.spectrum.samples;
             let white = xyz_from_light(samples, Kind::Light.outside(), observer)?;
             let xyz = xyz_from_reflectance(&surface.spectrum.samples, samples, observer)?;
-            Some((light.label, Swatch::of_patch(xyz, white, adaptation)))
+            Some((said(light.label), Swatch::of_patch(xyz, white, adaptation)))
         })
         .take(LIGHTS)
         .collect()

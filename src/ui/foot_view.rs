@@ -12,7 +12,7 @@ use crate::{
         readings::COUNTS,
         ticks::short,
     },
-    languages::fixed,
+    languages::{fixed, translated},
 };
 
 /// What is to be noticed on a page, and a question to try.
@@ -83,7 +83,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         );
     }
     if as_it_starts && !of_family.is_empty() {
-        return (notice, of_family.to_owned());
+        return (notice, translated(of_family).into_owned());
     }
     let question = question(app, order, !spikes.is_empty());
     (notice, question)
@@ -148,7 +148,7 @@ pub(super) fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
         (Page::Spectrum, None) if app.derived().model.lines().is_empty() => "colour",
         (page, _) => page.lesson()?,
     };
-    let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
+    let lesson = shelf::as_spoken().iter().find(|lesson| lesson.name == name);
     lesson.map(|lesson| &**lesson)
 }
 

@@ -182,7 +182,7 @@ const NO_SERIAL: &str =
 
 #[cfg(not(feature = "serial"))]
 fn serial(_: &Path, _: u32, _: &Through) -> Result<Box<dyn Source>, NotFollowed> {
-    Err(NotFollowed::Asked(said(NO_SERIAL).to_owned()))
+    Err(NotFollowed::Asked(crate::languages::said(NO_SERIAL).to_owned()))
 }
 
 /// The serial ports of this machine.
@@ -196,5 +196,5 @@ pub fn ports() -> Result<Vec<PathBuf>, String> {
 
 #[cfg(not(feature = "serial"))]
 pub fn ports() -> Result<Vec<PathBuf>, String> {
-    Err(said(NO_SERIAL).to_owned())
+    Err(crate::languages::said(NO_SERIAL).to_owned())
 }

@@ -2,14 +2,17 @@
 
 use std::{
     path::Path,
-    sync::{Arc, LazyLock},
+    sync::{Arc, LazyLock, OnceLock},
 };
 
 use super::{
     format::{Fault, Lesson},
     proof::is_sound,
 };
-use crate::io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file};
+use crate::{
+    io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file},
+    languages::{Language, spoken},
+};
 
 /// Files of the shipped lessons by their names, in the order of the list: path after path.
 pub const FILES: [(&str, &str); 20] = [
@@ -58,6 +61,20 @@ pub fn shipped() -> &'static [Arc<Lesson>] {
         read.filter_map(Result::ok).map(Arc::new).collect()
     });
     &SHIPPED
+}
+
+/// The same in the language spoken.
+pub fn as_spoken() -> &'static [Arc<Lesson>] {
+    static OTHERS: [OnceLock<Vec<Arc<Lesson>>>; Language::ALL.len()] =
+        [const { OnceLock::new() }; Language::ALL.len()];
+    let language = spoken();
+    if language == Language::English {
+        return shipped();
+    }
+    OTHERS[language as usize].get_or_init(|| {
+        let in_it = |lesson: &Arc<Lesson>| Arc::new(lesson.in_language(language.code()));
+        shipped().iter().map(in_it).collect()
+    })
 }
 
 /// A longer file is no lesson, bytes: the longest shipped one has 9000.

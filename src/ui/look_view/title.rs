@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
         ui.horizontal(|ui| {
             let unit = match app.unit() {
                 "" => said!("no unit stated"),
-                unit => unit,
+                unit => unit_words(unit),
             };
             let about = told.map_or("", |told| told.about.about.as_str());
             let table = told.map_or("", |told| told.about.table.as_str());
@@ -65,6 +65,25 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
             ui.add(Label::new(&compared.summary).wrap());
         }
     }
+}
+
+/// Units of the shipped tables.
+const UNITS: [&str; 9] = [
+    later!("relative"),
+    later!("relative (S(560 nm)=100 for A, C, D, ID)"),
+    later!("relative (as CIE illuminant C, 100 at 560 nm)"),
+    later!("relative (weights in % of the power)"),
+    later!("relative component (may be negative)"),
+    later!("fraction"),
+    later!("fraction, INTERNAL transmittance of 2 mm, computed exp(-4 pi k d/lambda)"),
+    later!("fraction, normal incidence, computed R=((n-1)^2+k^2)/((n+1)^2+k^2)"),
+    later!("dimensionless"),
+];
+
+/// A unit of a shipped table in the language spoken; others as a file has them.
+fn unit_words(unit: &str) -> &str {
+    let known = UNITS.iter().find(|known| **known == unit);
+    known.map_or(unit, |known| said(known))
 }
 
 /// Words of the row of layers.

@@ -313,7 +313,7 @@ impl LessonsView {
 
     /// What each teaches, what to prepare, handouts, how to write one.
     pub fn teachers(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let all = self.all("");
+        let all = self.all(context.language);
         let minutes: u32 = all.iter().map(|lesson| lesson.minutes).sum();
         let words = tr!(
             "{lessons} lessons, {minutes} minutes in all. Choose one to see what it teaches and \

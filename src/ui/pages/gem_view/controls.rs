@@ -103,7 +103,7 @@ fn slider(form: &mut Form<'_>, gem: &mut GemMemory, of: &Knob<GemMemory>) {
     } else {
         slider.step_by(0.05).fixed_decimals(1)
     };
-    form.slider((of.title, of.meaning), slider);
+    form.slider((said(of.title), said(of.meaning)), slider);
 }
 
 /// To whom the gem is shown, how bright and under which part of the light.

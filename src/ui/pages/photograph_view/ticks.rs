@@ -9,6 +9,7 @@ use crate::{
         chart::Ink,
         photograph::{LampChoice, Photograph},
     },
+    languages::fixed,
     photographs::{Lamp, axis::Pin},
     ui::{kit::hold_arrows, theme::Theme},
 };
@@ -283,7 +284,7 @@ pub(super) fn draw_ticks(
         if tick.is_pinned || held.is_some() {
             ui.painter().circle_filled(line[0], 4.0, theme.accent);
         }
-        let words = format!("{:.1}", tick.nm);
+        let words = fixed(tick.nm, 1);
         let galley = ui.painter().layout_no_wrap(words, font.clone(), ink);
         let half = 0.5 * galley.size().x;
         if (tick.is_strong || held.is_some()) && x - half > free_from {
