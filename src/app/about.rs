@@ -85,7 +85,11 @@ impl About {
         if parts.is_empty() {
             self.name.clone()
         } else {
-            tr!("{light}: {what}", light = self.name, what = parts.join(", "))
+            tr!(
+                "{light}: {what}",
+                light = self.name,
+                what = parts.join(", ")
+            )
         }
     }
 
@@ -145,7 +149,10 @@ fn table_words(entry: &Entry) -> String {
             }
         }
         None if source.is_empty() => String::new(),
-        None if source.starts_with("made ") => format!("{}, {steps}", capitalised(source)),
+        None if source.starts_with("made ") => match source.strip_prefix("made from ") {
+            Some(names) => tr!("Made from {names}, {steps}", names, steps),
+            None => format!("{}, {steps}", capitalised(&translated(source))),
+        },
         None => match (source.strip_prefix(FOLLOWED), source.strip_prefix(CAPTURED)) {
             (Some(source), _) => tr!("Followed from {source}, {steps}", source, steps),
             (_, Some(source)) => tr!("Captured from {source}, {steps}", source, steps),

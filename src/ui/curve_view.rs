@@ -72,7 +72,7 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
             meaning: now.figure().meaning(),
             width: ui.available_width() - 8.0,
         };
-        choice.show(ui, name(now), |ui| {
+        choice.cut(ui, name(now), |ui| {
             for measure in OF_CURVE {
                 if shown(app, measure) == measure {
                     ui.selectable_value(&mut preferences.curve, measure, name(measure))

@@ -182,7 +182,9 @@ const NO_SERIAL: &str =
 
 #[cfg(not(feature = "serial"))]
 fn serial(_: &Path, _: u32, _: &Through) -> Result<Box<dyn Source>, NotFollowed> {
-    Err(NotFollowed::Asked(crate::languages::said(NO_SERIAL).to_owned()))
+    Err(NotFollowed::Asked(
+        crate::languages::said(NO_SERIAL).to_owned(),
+    ))
 }
 
 /// The serial ports of this machine.

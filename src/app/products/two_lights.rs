@@ -199,7 +199,7 @@ impl Made {
                     second_light = sheet.lights[1]
                 ),
             ],
-            source: tr!("made from {name}", name = patch),
+            source: format!("made from {patch}"),
         })
     }
 }

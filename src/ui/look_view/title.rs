@@ -82,8 +82,10 @@ const UNITS: [&str; 9] = [
 
 /// A unit of a shipped table in the language spoken; others as a file has them.
 fn unit_words(unit: &str) -> &str {
-    let known = UNITS.iter().find(|known| **known == unit);
-    known.map_or(unit, |known| said(known))
+    match UNITS.into_iter().find(|known| *known == unit) {
+        Some(known) => said(known),
+        None => unit,
+    }
 }
 
 /// Words of the row of layers.
@@ -388,7 +390,11 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         let colour = theme.ink(Ink::Overlay(i));
         ui.label(RichText::new(overlay.name()).color(colour));
     }
-    if pressed(ui, said!("Clear"), said!("Takes all overlays away.")) {
+    if pressed(
+        ui,
+        &tr!("take away" => "Clear"),
+        said!("Takes all overlays away."),
+    ) {
         commands.push(Command::ClearOverlays);
         ui.close();
     }

@@ -104,6 +104,8 @@ impl LessonsView {
             let all = shelf::shipped().iter().chain(own.iter().map(|one| &one.0));
             let in_it = |lesson: &Arc<Lesson>| match lesson.texts.contains_key(language) {
                 true => Arc::new(Lesson {
+                    // The file to begin one's own with has every language.
+                    text: lesson.text.clone(),
                     texts: lesson.texts.clone(),
                     ..lesson.in_language(language)
                 }),
