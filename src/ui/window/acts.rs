@@ -78,7 +78,7 @@ impl Window {
         }
     }
 
-    #[expect(clippy::too_many_lines, reason = "a table: one arm an act")]
+    #[expect(clippy::too_many_lines, reason = "a table: one arm for each")]
     pub(super) fn act(&mut self, act: Act, context: &Context) {
         const FINER: f64 = 1.25;
         match act {
