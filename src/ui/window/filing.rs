@@ -74,6 +74,7 @@ pub(super) struct Waiting {
 impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
+        self.speak();
         let paths = self.without_lessons(paths, &wake);
         let paths = self.without_photos(paths);
         let paths = self.without_photographs(paths);

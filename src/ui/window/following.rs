@@ -33,6 +33,8 @@ const BAR: f32 = 34.0;
 impl Window {
     /// Follows something from now on, in place of what was followed before.
     pub fn follow_light(&mut self, asked: FollowAsked, context: &Context) {
+        // What a thread says of it is said as the window speaks, from its first frame on.
+        self.speak();
         self.greets = false;
         self.preferences.page = Page::Live;
         self.following = Some(match self.quiet {

@@ -96,6 +96,8 @@ const FIGURES: f32 = 168.0;
 /// points.
 const SPECTRUM: (f32, f32) = (0.56, 180.0);
 const COURSE: (f32, f32) = (0.44, 150.0);
+/// They grow with the type up to this scale.
+const MOST_SCALE: f32 = 1.2;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
@@ -222,6 +224,8 @@ impl LiveView {
 /// too low for both the spectrum takes it, and the other is scrolled to whole.
 fn heights(left: f32, scale: f32, has_course: bool) -> [f32; 2] {
     let left = left - over_time::HEAD * scale - GROUP;
+    // Presented type is twice as large, and the window is not.
+    let scale = scale.min(MOST_SCALE);
     let (of_spectrum, of_course) = (SPECTRUM.1 * scale, COURSE.1 * scale);
     match has_course && left >= of_spectrum + of_course {
         true => [SPECTRUM, COURSE].map(|(part, least)| (part * left).max(least * scale)),

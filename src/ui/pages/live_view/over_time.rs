@@ -73,6 +73,9 @@ struct Drawn {
     jumps: String,
 }
 
+/// Least height of the pictures, points.
+const LEAST: f32 = 80.0;
+
 impl OverTime {
     pub(super) fn show(
         &mut self,
@@ -100,11 +103,14 @@ impl OverTime {
         ui.add_space(4.0);
         self.draw_anew(ui, context.pages.live.track, following);
         let Some(drawn) = &self.drawn else { return };
+        let top = ui.cursor().top();
         if !drawn.jumps.is_empty() {
             ui.add(egui::Label::new(&drawn.jumps).wrap())
                 .on_hover_text(said(JUMPS_MEAN));
             ui.add_space(4.0);
         }
+        // The sentence takes its room from the pictures.
+        let high = (high - (ui.cursor().top() - top)).max(LEAST);
         let course = |ui: &mut Ui, context: &mut PageContext<'_>| {
             let size = vec2(ui.available_width(), high);
             context.chart(ui, &drawn.chart, "over time", size);
