@@ -70,9 +70,6 @@
 )]
 
 #[macro_use]
-extern crate tr;
-
-#[macro_use]
 pub mod languages;
 
 pub mod app;

@@ -1,12 +1,6 @@
 //! The translations: files of gettext, read when their language is first spoken.
 
-use std::{
-    borrow::Cow,
-    collections::HashMap,
-    sync::{LazyLock, Once},
-};
-
-use tr::Translator;
+use std::{borrow::Cow, collections::HashMap, sync::LazyLock};
 
 use super::{Language, spoken};
 
@@ -24,7 +18,6 @@ struct Texts {
 
 impl Texts {
     fn read(file: &str) -> Self {
-        // Not by `PoTranslator`: version 0.1.11 finds nothing in bytes.
         let file = rspolib::pofile(file).expect("a test reads every file");
         let (mut all, mut by_meaning) = (HashMap::new(), HashMap::new());
         for entry in file.entries {
@@ -78,36 +71,20 @@ pub fn translated(english: &str) -> Cow<'_, str> {
     Cow::Borrowed(text.unwrap_or(english))
 }
 
-/// Answers [`tr!`](tr::tr) on each thread in the language that it speaks.
-struct Spoken;
-
-impl Translator for Spoken {
-    fn translate<'a>(&'a self, english: &'a str, meaning: Option<&'a str>) -> Cow<'a, str> {
-        let text = found(english, meaning).map(|[text, _]| text.as_str());
-        Cow::Borrowed(text.unwrap_or(english))
-    }
-
-    fn ntranslate<'a>(
-        &'a self,
-        n: u64,
-        one: &'a str,
-        several: &'a str,
-        meaning: Option<&'a str>,
-    ) -> Cow<'a, str> {
-        let is_one = n == 1 || n == 0 && spoken() == Language::French;
-        Cow::Borrowed(match found(one, meaning) {
-            Some([text, _]) if is_one => text,
-            Some([_, text]) => text,
-            None if n == 1 => one,
-            None => several,
-        })
-    }
+/// A text of a meaning, to be filled in.
+pub fn text(english: &'static str, meaning: Option<&str>) -> &'static str {
+    found(english, meaning).map_or(english, |[text, _]| text)
 }
 
-/// Has the answers of this file be used.
-pub(super) fn hear() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| set_translator!(Spoken));
+/// The text for so many, to be filled in.
+pub fn counted(n: u64, one: &'static str, several: &'static str) -> &'static str {
+    let is_one = n == 1 || n == 0 && spoken() == Language::French;
+    match found(one, None) {
+        Some([text, _]) if is_one => text,
+        Some([_, text]) => text,
+        None if n == 1 => one,
+        None => several,
+    }
 }
 
 #[cfg(test)]
@@ -116,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_text_is_said_in_each_language_and_counts_as_it_does() {
-        let lines = |count: usize| tr!("{n} light" | "{n} lights" % count);
+        let lines = |count: usize| crate::tr!("{n} light" | "{n} lights" % count);
         for (language, open, counts) in [
             (
                 Language::English,

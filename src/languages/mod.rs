@@ -15,6 +15,8 @@ use std::cell::Cell;
 
 use serde::{Deserialize, Serialize};
 
+#[doc(hidden)]
+pub use catalogs::{counted, text};
 pub use catalogs::{said, translated};
 pub use numbers::{fixed, signed, with_sign};
 
@@ -102,7 +104,6 @@ pub fn spoken() -> Language {
 
 /// Has this thread speak a language from now on.
 pub fn speak(language: Language) {
-    catalogs::hear();
     SPOKEN.set(language);
 }
 
@@ -117,6 +118,29 @@ pub fn in_language<T>(language: Language, make: impl FnOnce() -> T) -> T {
     let _back = Back(spoken());
     speak(language);
     make()
+}
+
+/// A sentence in the language spoken, filled in: as `tr!` of the crate of that name, whose formatting
+/// it has, but without a copy of how a text is found at each of its thousands of uses.
+#[macro_export]
+macro_rules! tr {
+    ($english:tt) => {
+        ::tr::runtime_format!($crate::languages::text($english, None))
+    };
+    ($english:tt, $($filled:tt)*) => {
+        ::tr::runtime_format!($crate::languages::text($english, None), $($filled)*)
+    };
+    ($meaning:tt => $english:tt) => {
+        ::tr::runtime_format!($crate::languages::text($english, Some($meaning)))
+    };
+    ($one:tt | $several:tt % $n:expr) => {{
+        let n = $n;
+        ::tr::runtime_format!($crate::languages::counted(n as u64, $one, $several), n)
+    }};
+    ($one:tt | $several:tt % $n:expr, $($filled:tt)*) => {{
+        let n = $n;
+        ::tr::runtime_format!($crate::languages::counted(n as u64, $one, $several), $($filled)*, n = n)
+    }};
 }
 
 /// A text without figures in the language spoken, as a `&'static str`.
