@@ -1,7 +1,7 @@
 //! What a person reads, in the language that they chose.
 //!
-//! English stands in the code: [`tr!`] fills in a sentence, [`said!`] is a text without figures,
-//! [`later!`] marks one of a table, which [`said`] translates where it is shown. The other languages
+//! English stands in the code: `tr!` fills in a sentence, `said!` is a text without figures,
+//! `later!` marks one of a table, which [`said`] translates where it is shown. The other languages
 //! are files of gettext beside this one; docs/languages.md tells how they are kept.
 //!
 //! A thread speaks English until it is told otherwise, so the command line, files and whatever is
