@@ -71,19 +71,23 @@ pub struct Worker<T> {
 
 impl<T: Send + 'static> Worker<T> {
     pub fn start(wake: &Wake, work: impl FnOnce(&Tell<T>) + Send + 'static) -> Self {
+        Self::heard(wake, |tell| spawn(move || work(&tell)))
+    }
+
+    /// Listens to what a hand tells.
+    fn heard(wake: &Wake, begin: impl FnOnce(Tell<T>) -> Hand) -> Self {
         let (sender, news) = channel();
         let tell = Tell {
             sender: Some(sender),
             wake: wake.clone(),
             progress: Arc::default(),
         };
-        let progress = tell.progress.clone();
         Self {
             news,
             unread: Vec::new(),
             ended: false,
-            thread: Some(spawn(move || work(&tell))),
-            progress,
+            progress: tell.progress.clone(),
+            thread: Some(begin(tell)),
         }
     }
 
@@ -96,38 +100,27 @@ impl<T: Send + 'static> Worker<T> {
         found: fn(&[u8]) -> Option<Option<T>>,
         work: impl FnOnce(&Tell<T>) + 'static,
     ) -> Self {
-        let (sender, news) = channel();
-        let tell = Tell {
-            sender: Some(sender),
-            wake: wake.clone(),
-            progress: Arc::default(),
-        };
-        let progress = tell.progress.clone();
-        let take = move |came| {
-            let answer = match came {
-                Came::Bytes(bytes) => found(&bytes),
-                Came::Nothing => None,
-                Came::Broken => return,
+        Self::heard(wake, |tell| {
+            let progress = tell.progress.clone();
+            let take = move |came| {
+                let answer = match came {
+                    Came::Bytes(bytes) => found(&bytes),
+                    Came::Nothing => None,
+                    Came::Broken => return,
+                };
+                match answer {
+                    Some(Some(found)) => {
+                        tell.send(found);
+                    }
+                    Some(None) => {}
+                    None => {
+                        (tell.wake)();
+                        spawn(move || work(&tell));
+                    }
+                }
             };
-            match answer {
-                Some(Some(found)) => {
-                    tell.send(found);
-                }
-                Some(None) => {}
-                None => {
-                    (tell.wake)();
-                    spawn(move || work(&tell));
-                }
-            }
-        };
-        let hand = ask(question, (&progress, wake), Box::new(take));
-        Self {
-            news,
-            unread: Vec::new(),
-            ended: false,
-            thread: Some(hand),
-            progress,
-        }
+            ask(question, (&progress, wake), Box::new(take))
+        })
     }
 
     /// Whether nothing is to come behind what [`news`](Self::news) brings next.

@@ -18,10 +18,6 @@ fn and(words: &[&str]) -> String {
 
 impl ColourSheet {
     /// The result in a sentence.
-    #[expect(
-        clippy::too_many_lines,
-        reason = "each case says a whole sentence, whose figures stand in lines of their own"
-    )]
     pub fn sentence(&self) -> String {
         let lights: Vec<&str> = self.seen.iter().map(|seen| seen.light.as_str()).collect();
         let light = &and(&lights);
@@ -47,7 +43,22 @@ impl ColourSheet {
                 ),
             };
         }
-        let first = match (&self.surface, &self.told) {
+        let first = self.came_out(light, are_two);
+        let Some(spread) = self.spread() else {
+            return first;
+        };
+        let spread = tr!(
+            "At a single wavelength, two surfaces that match it under {light} can differ by \
+             {points} points of reflectance (averaged over wavelength).",
+            light,
+            points = fixed(100.0 * spread, 0)
+        );
+        format!("{first} {spread}")
+    }
+
+    /// How near a surface comes out of its colours, or the smoothest surface of the colours.
+    fn came_out(&self, light: &str, are_two: bool) -> String {
+        match (&self.surface, &self.told) {
             (Some(entry), Some(told)) => {
                 let looks = self.under.iter().zip(&told.delta_e);
                 let worst = looks
@@ -106,17 +117,7 @@ impl ColourSheet {
                     high = fixed(high, 0)
                 )
             }
-        };
-        let Some(spread) = self.spread() else {
-            return first;
-        };
-        let spread = tr!(
-            "At a single wavelength, two surfaces that match it under {light} can differ by \
-             {points} points of reflectance (averaged over wavelength).",
-            light,
-            points = fixed(100.0 * spread, 0)
-        );
-        format!("{first} {spread}")
+        }
     }
 
     /// Mean over the wavelengths of the distance of the least and the greatest reflectance: no two

@@ -114,10 +114,6 @@ impl Whence {
 /// what they say they are.
 ///
 /// With it another unit that the file names, which makes no sense or is not known here.
-#[expect(
-    clippy::too_many_lines,
-    reason = "each case says a whole sentence, whose figures stand in lines of their own"
-)]
 pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     let (min, max) = axis.range;
     let [from, to] = [min, max].map(|x| with_sign(x.to_string()));
@@ -186,7 +182,24 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
         );
         return (guess(unit, &because), None);
     }
-    let guessed = match of_range {
+    let guessed = of_range_alone(axis, of_range, of_lengths);
+    let nonsense = by_title.map(|(unit, _)| unit.word().to_owned());
+    let against = nonsense
+        .or_else(|| unknown_unit(axis.title))
+        .filter(|other| other != guessed.value.word());
+    (guessed, against)
+}
+
+/// The unit that a range suggests, where nothing else tells it.
+fn of_range_alone(
+    axis: &Axis,
+    of_range: Option<WavelengthUnit>,
+    of_lengths: bool,
+) -> Decision<WavelengthUnit> {
+    let (min, max) = axis.range;
+    let [from, to] = [min, max].map(|x| with_sign(x.to_string()));
+    let guess = |unit, because: &str| Decision::guessed(unit, false, because);
+    match of_range {
         Some(WavelengthUnit::PerCentimetre) if is_visible_in_angstrom(axis) => {
             let because = tr!(
                 "the range {from} to {to} at even steps, visible light in Å",
@@ -212,12 +225,7 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
             WavelengthUnit::Nanometre,
             &tr!("no unit fits the range {from} to {to} well", from, to),
         ),
-    };
-    let nonsense = by_title.map(|(unit, _)| unit.word().to_owned());
-    let against = nonsense
-        .or_else(|| unknown_unit(axis.title))
-        .filter(|other| other != guessed.value.word());
-    (guessed, against)
+    }
 }
 
 /// Energies or frequencies whose range would fit another unit: their steps are even in nm, and not

@@ -13,10 +13,6 @@ use crate::{
 ///
 /// # Errors
 /// A sentence for a combination that means nothing.
-#[expect(
-    clippy::too_many_lines,
-    reason = "each case says a whole sentence, whose figures stand in lines of their own"
-)]
 pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, MeasurementError> {
     use Quantity::{Absorbance, Counts, Light, Number};
     let text = format!("({} {sign} {})", a.text, b.text);
@@ -35,7 +31,15 @@ pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, Measu
             found.note = Some(note.to_owned());
             Ok(found)
         }
-        (Counts, Light) => meaningless(match is_sum {
+        _ => meaningless(no_sum(a, b, is_sum)),
+    }
+}
+
+/// Why a sum, or a difference, means nothing.
+fn no_sum(a: &Meaning, b: &Meaning, is_sum: bool) -> String {
+    use Quantity::{Counts, Light};
+    match (a.quantity, b.quantity) {
+        (Counts, Light) => match is_sum {
             true => tr!(
                 "{a} holds counts and {b} {held}: they cannot be added. Divide {a} by a reading \
                  of {b}'s lamp first (Instruments).",
@@ -50,8 +54,8 @@ pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, Measu
                 b = b.text,
                 held = held(b)
             ),
-        }),
-        (Light, Counts) => meaningless(match is_sum {
+        },
+        (Light, Counts) => match is_sum {
             true => tr!(
                 "{a} holds {held} and {b} counts: they cannot be added. Divide {b} by a reading \
                  of {a}'s lamp first (Instruments).",
@@ -66,8 +70,8 @@ pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, Measu
                 held = held(a),
                 b = b.text
             ),
-        }),
-        (Light, y) if y.is_factor() => meaningless(match is_sum {
+        },
+        (Light, y) if y.is_factor() => match is_sum {
             true => tr!(
                 "{a} is a light and {b} {factor}: a sum of the two means nothing. Multiply, or \
                  choose {a} over another light.",
@@ -82,8 +86,8 @@ pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, Measu
                 b = b.text,
                 factor = y
             ),
-        }),
-        (x, y) => meaningless(match is_sum {
+        },
+        (x, y) => match is_sum {
             true => tr!(
                 "{a} is {x} and {b} {y}: a sum of the two means nothing.",
                 a = a.text,
@@ -98,7 +102,7 @@ pub(super) fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, Measu
                 b = b.text,
                 y
             ),
-        }),
+        },
     }
 }
 

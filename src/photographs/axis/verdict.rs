@@ -199,10 +199,6 @@ impl Judged<'_> {
     }
 
     /// Reason not to use the axis at once.
-    #[expect(
-        clippy::too_many_lines,
-        reason = "each case says a whole sentence, whose figures stand in lines of their own"
-    )]
     fn against(&self, runner_up: Option<&Solution>) -> Option<String> {
         let solution = self.solution;
         let (lines, places) = (solution.matches.len(), self.places());
@@ -214,28 +210,7 @@ impl Judged<'_> {
             ));
         }
         if lines < 4 || places < 4 {
-            let nm: Vec<String> = self
-                .sorted_nm()
-                .iter()
-                .map(|nm| format!("{nm:.0}"))
-                .collect();
-            let places = nm.join(", ");
-            return Some(match lines {
-                3 => tr!(
-                    "{lines} lines only ({places}): this fits {name}, but three lines prove \
-                     nothing. Right?",
-                    lines,
-                    places,
-                    name
-                ),
-                _ => tr!(
-                    "{lines} lines only ({places}): this fits {name}, but so few prove nothing. \
-                     Right?",
-                    lines,
-                    places,
-                    name
-                ),
-            });
+            return Some(self.so_few(lines, name));
         }
         let is_grey = self.is_grey();
         let least = self.least_score(is_grey);
@@ -295,6 +270,32 @@ impl Judged<'_> {
                 most = fixed(most, 1)
             )
         })
+    }
+
+    /// So few lines prove nothing.
+    fn so_few(&self, lines: usize, name: &str) -> String {
+        let nm: Vec<String> = self
+            .sorted_nm()
+            .iter()
+            .map(|nm| format!("{nm:.0}"))
+            .collect();
+        let places = nm.join(", ");
+        match lines {
+            3 => tr!(
+                "{lines} lines only ({places}): this fits {name}, but three lines prove \
+                 nothing. Right?",
+                lines,
+                places,
+                name
+            ),
+            _ => tr!(
+                "{lines} lines only ({places}): this fits {name}, but so few prove nothing. \
+                 Right?",
+                lines,
+                places,
+                name
+            ),
+        }
     }
 
     fn least_score(&self, is_grey: bool) -> f64 {

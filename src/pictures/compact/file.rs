@@ -157,15 +157,34 @@ pub struct CompactFile {
     across: usize,
 }
 
+/// Where each tile's bytes stand, row by row, from tiles with their columns and rows.
+fn placed(
+    found: &[(u32, u32, usize, usize)],
+    [across, down]: [usize; 2],
+) -> Result<Vec<(usize, usize)>, PictureError> {
+    let mut tiles = vec![(0, 0); found.len()];
+    for &(x, y, start, end) in found {
+        let (x, y) = (x as usize, y as usize);
+        let place = (x < across && y < down).then(|| y * across + x);
+        match place.and_then(|place| tiles.get_mut(place)) {
+            Some(slot) if slot.1 == 0 => *slot = (start, end),
+            _ => {
+                let found = tr!("a tile at column {x}, row {y} out of range or twice", x, y);
+                return Err(PictureError::broken(
+                    found,
+                    tr!("each of {across} x {down} once", across, down),
+                ));
+            }
+        }
+    }
+    Ok(tiles)
+}
+
 impl CompactFile {
     /// Opens a file from its bytes; the header is read, the tiles are found, nothing is decoded.
     ///
     /// # Errors
     /// [`PictureError::Broken`] with what is wrong.
-    #[expect(
-        clippy::too_many_lines,
-        reason = "each case says a whole sentence, whose figures stand in lines of their own"
-    )]
     pub fn open(bytes: Vec<u8>) -> Result<Self, PictureError> {
         let chunks = png_chunks(&bytes).ok_or_else(|| {
             PictureError::broken(said!("no PNG"), said!("a composite picture NAME.cspx.png"))
@@ -226,21 +245,7 @@ impl CompactFile {
             let found = tr!("{found} tiles", found = found.len());
             return Err(PictureError::broken(found, format!("{across} x {down}")));
         }
-        let mut tiles = vec![(0, 0); found.len()];
-        for (x, y, start, end) in found {
-            let (x, y) = (x as usize, y as usize);
-            let place = (x < across && y < down).then(|| y * across + x);
-            match place.and_then(|place| tiles.get_mut(place)) {
-                Some(slot) if slot.1 == 0 => *slot = (start, end),
-                _ => {
-                    let found = tr!("a tile at column {x}, row {y} out of range or twice", x, y);
-                    return Err(PictureError::broken(
-                        found,
-                        tr!("each of {across} x {down} once", across, down),
-                    ));
-                }
-            }
-        }
+        let tiles = placed(&found, [across, down])?;
         Ok(Self {
             header,
             quantiser,

@@ -78,7 +78,6 @@ impl Window {
         }
     }
 
-    #[expect(clippy::too_many_lines, reason = "a table: one arm for each")]
     pub(super) fn act(&mut self, act: Act, context: &Context) {
         const FINER: f64 = 1.25;
         match act {
@@ -146,22 +145,24 @@ impl Window {
                 self.app
                     .say(Tone::Info, said!("A picture of the window was copied."));
             }
-            Act::CopyCommand => {
-                let size = context.content_rect().size();
-                let page = self.preferences.page;
-                let size = [size.x as u32, size.y as u32];
-                let dark = self.preferences.dark;
-                let lines = || command_lines(&self.app, page, size, dark);
-                match in_language(Language::English, lines) {
-                    Ok(words) => {
-                        let told =
-                            said!("Copied: the command lines for these numbers and this view.");
-                        self.app.say(Tone::Info, told);
-                        context.copy_text(words);
-                    }
-                    Err(why) => self.app.say(Tone::Problem, why),
-                }
+            Act::CopyCommand => self.copy_command(context),
+        }
+    }
+
+    /// Copies the command lines that print these numbers and draw this view.
+    fn copy_command(&mut self, context: &Context) {
+        let size = context.content_rect().size();
+        let page = self.preferences.page;
+        let size = [size.x as u32, size.y as u32];
+        let dark = self.preferences.dark;
+        let lines = || command_lines(&self.app, page, size, dark);
+        match in_language(Language::English, lines) {
+            Ok(words) => {
+                let told = said!("Copied: the command lines for these numbers and this view.");
+                self.app.say(Tone::Info, told);
+                context.copy_text(words);
             }
+            Err(why) => self.app.say(Tone::Problem, why),
         }
     }
 

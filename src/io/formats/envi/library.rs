@@ -20,10 +20,6 @@ const LOOKED_AT: usize = 20_000;
 ///
 /// # Errors
 /// [`ReadError`] when the data are too short, or the header gives no wavelengths.
-#[expect(
-    clippy::too_many_lines,
-    reason = "each case says a whole sentence, whose figures stand in lines of their own"
-)]
 pub(super) fn read(
     header: &Header,
     data: &[u8],
@@ -106,8 +102,19 @@ pub(super) fn read(
             said!("at least 2 numbers in a spectrum"),
         ));
     }
-    let (named, left_over) = (names.len(), data.len() - need);
-    let odd = [
+    let odd = odd_words(empty, [names.len(), count], data.len() - need).into_iter();
+    reading.notes.extend(odd.flatten().chain(axis.notes));
+    reading.notes.extend(of_values);
+    // What had to be guessed of the first spectrum, and of all others with it.
+    let first = reading.facts.first().map(|facts| &facts.decisions);
+    let guessed = first.map(|first| guesses_in_words(first, Remark::Kind));
+    reading.notes.extend(guessed.into_iter().flatten());
+    Ok(reading)
+}
+
+/// What is odd about a library: spectra without numbers, names for another count, bytes behind it.
+fn odd_words(empty: usize, [named, count]: [usize; 2], left_over: usize) -> [Option<String>; 3] {
+    [
         (empty > 0).then(|| {
             tr!("{n} spectra with fewer than 2 numbers left out"
                 | "{n} spectra with fewer than 2 numbers left out" % empty)
@@ -122,13 +129,5 @@ pub(super) fn read(
             tr!("{n} bytes behind the last spectrum passed over"
                 | "{n} bytes behind the last spectrum passed over" % left_over)
         }),
-    ];
-    reading.notes.extend(odd.into_iter().flatten());
-    reading.notes.extend(axis.notes);
-    reading.notes.extend(of_values);
-    // What had to be guessed of the first spectrum, and of all others with it.
-    let first = reading.facts.first().map(|facts| &facts.decisions);
-    let guessed = first.map(|first| guesses_in_words(first, Remark::Kind));
-    reading.notes.extend(guessed.into_iter().flatten());
-    Ok(reading)
+    ]
 }

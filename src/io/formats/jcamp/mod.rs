@@ -125,11 +125,17 @@ fn unit_of(
     Ok(unit)
 }
 
+/// What is to be said where another count was announced than was found.
+fn miscounted(announced: Option<f64>, count: usize) -> Option<String> {
+    let announced = announced.filter(|announced| *announced != count as f64)?;
+    Some(tr!(
+        "NPOINTS says {number}, found {n} points"
+            | "NPOINTS says {number}, found {n} points" % count,
+        number = with_sign(announced.to_string())
+    ))
+}
+
 /// Reads the spectrum of one block; returns its number of points.
-#[expect(
-    clippy::too_many_lines,
-    reason = "each case says a whole sentence, whose figures stand in lines of their own"
-)]
 fn read_block(
     input: &Input,
     block: &Block,
@@ -147,16 +153,7 @@ fn read_block(
         false => packed::read(&curve, &mut notes)?,
     };
     let count = axis.len();
-    if let Some(announced) = curve.number("NPOINTS")?
-        && announced != count as f64
-    {
-        notes.push(tr!(
-            "NPOINTS says {number}, found {n} points"
-                | "NPOINTS says {number}, found {n} points" % count,
-            number = with_sign(announced.to_string())
-        ));
-    }
-
+    notes.extend(miscounted(curve.number("NPOINTS")?, count));
     let range = extent(&axis);
     let not_wave_numbers =
         unit == Some(WavelengthUnit::PerCentimetre) && range.0 >= LOW_NM && range.1 <= HIGH_NM;
