@@ -120,6 +120,7 @@ function unpack(packed) {
   // The last four distances.
   let [last, second, third, fourth] = [0, 0, 0, 0];
   for (;;) {
+    if (bits.at > packed.length) throw new Error("the program is damaged");
     if (out.length - at < 273) {
       const larger = new Uint8Array(2 * out.length);
       larger.set(out);
@@ -171,7 +172,7 @@ function unpack(packed) {
       length = knownLengths.next(bits, phase);
       state = state < 7 ? 8 : 11;
     }
-    if (last >= at || bits.at > packed.length) throw new Error("the program is damaged");
+    if (last >= at) throw new Error("the program is damaged");
     for (const end = at + length + 2; at < end; at++) out[at] = out[at - last - 1];
   }
 }

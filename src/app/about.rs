@@ -70,9 +70,9 @@ impl About {
         let what = what.or(table.map(|table| &table.what));
         Self {
             name: entry.name().to_owned(),
-            what: what.map_or_else(String::new, |what| translated(what).into_owned()),
+            what: what.map_or_else(String::new, |what| translated(what).to_owned()),
             kelvin: None,
-            about: item.map_or_else(String::new, |item| translated(&item.about).into_owned()),
+            about: item.map_or_else(String::new, |item| translated(&item.about).to_owned()),
             table: table_words(entry),
         }
     }
@@ -142,7 +142,7 @@ fn table_words(entry: &Entry) -> String {
     let (steps, source) = (steps_words(&entry.spectrum.samples), &entry.spectrum.source);
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
-            let table_of = capitalised(&translated(&table.of));
+            let table_of = capitalised(translated(&table.of));
             match table.from_nm {
                 Some(nm) => tr!("{table_of}, {steps} from {nm} nm data", table_of, steps, nm),
                 None => format!("{table_of}, {steps}"),
@@ -151,7 +151,7 @@ fn table_words(entry: &Entry) -> String {
         None if source.is_empty() => String::new(),
         None if source.starts_with("made ") => match source.strip_prefix("made from ") {
             Some(names) => tr!("Made from {names}, {steps}", names, steps),
-            None => format!("{}, {steps}", capitalised(&translated(source))),
+            None => format!("{}, {steps}", capitalised(translated(source))),
         },
         None => match (source.strip_prefix(FOLLOWED), source.strip_prefix(CAPTURED)) {
             (Some(source), _) => tr!("Followed from {source}, {steps}", source, steps),

@@ -304,7 +304,9 @@ pub(super) fn number(value: impl Into<Option<f64>>) -> String {
 /// and never the beginning of a formula.
 pub(super) fn words(text: &str) -> String {
     let text = no_formula(one_line(text));
-    let is_special = text.contains([',', '"', ';']) || text.starts_with('#');
+    // A name such as 2.5 is no number to be given a comma.
+    let is_number = languages::has_decimal_commas() && text.parse::<f64>().is_ok();
+    let is_special = is_number || text.contains([',', '"', ';']) || text.starts_with('#');
     quoted_where(is_special, &text)
 }
 
@@ -322,9 +324,12 @@ mod tests {
     fn a_table_has_decimal_commas_where_that_was_chosen() {
         let csv = "# a, b. c\nnm,name\n380.5,FL3.1\n-1e-7,\"1.5, or so\"\n".to_owned();
         assert_eq!(as_chosen(csv.clone()), csv);
+        assert_eq!(words("2.5"), "2.5");
         languages::write_decimal_commas(true);
         let chosen = as_chosen(csv);
+        let name = as_chosen(words("2.5"));
         languages::write_decimal_commas(false);
+        assert_eq!(name, "\"2.5\"", "a name is no number");
         let expected = "# a, b. c\nnm;name\n380,5;FL3.1\n-1e-7;\"1.5, or so\"\n";
         assert_eq!(chosen, expected);
     }

@@ -323,7 +323,7 @@ pub fn image(entry: &ImageEntry, pixels: usize) -> String {
             | "{image}: each of its pixels is a spectrum of {n} bands. {chosen}" % cube.nm().len(),
         image = match entry.key == WALL_KEY {
             true => translated(&entry.image.name),
-            false => (&*entry.image.name).into(),
+            false => &*entry.image.name,
         },
         chosen
     )

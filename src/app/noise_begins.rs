@@ -2,12 +2,9 @@
 
 use super::{document::Document, settings::Settings};
 use crate::{
-    measurements::{order_of_the_noise, shares_of_the_noise},
+    measurements::{MOST_ORDER, order_of_the_noise, shares_of_the_noise},
     spectrum::{Basis, SpikeSettings},
 };
-
-/// Highest order that the noise is looked for below.
-const MOST_ORDER: usize = 40;
 
 /// A threshold is so much above the share of a line that it keeps out.
 const ABOVE: f64 = 1.02;

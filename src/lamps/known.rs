@@ -2,6 +2,7 @@
 //!
 //! A lamp's index is its place in `known_lamps.json`; 255 stands for none, so at most 255 fit.
 
+use crate::languages::with_sign;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
@@ -103,8 +104,14 @@ pub(crate) fn namesakes(name: &str) -> Vec<u8> {
 /// A name that no other lamp of the list has.
 fn title(entry: &Entry) -> String {
     match entry {
-        Entry::Planck { planck } => tr!("blackbody {kelvin} K", kelvin = planck),
-        Entry::Daylight { cie_daylight } => tr!("daylight {kelvin} K", kelvin = cie_daylight),
+        Entry::Planck { planck } => tr!(
+            "blackbody {kelvin} K",
+            kelvin = with_sign(planck.to_string())
+        ),
+        Entry::Daylight { cie_daylight } => tr!(
+            "daylight {kelvin} K",
+            kelvin = with_sign(cie_daylight.to_string())
+        ),
         Entry::Table { group, name } => {
             let is_same =
                 |other: &Entry| matches!(other, Entry::Table { name: n, .. } if n == name);

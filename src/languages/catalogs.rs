@@ -1,6 +1,6 @@
 //! The translations: files of gettext, read when their language is first spoken.
 
-use std::{borrow::Cow, collections::HashMap, sync::LazyLock};
+use std::{collections::HashMap, sync::LazyLock};
 
 use super::{Language, spoken};
 
@@ -13,13 +13,14 @@ struct Texts {
     /// Of one thing, and of several where a text counts.
     all: HashMap<String, [String; 2]>,
     /// The same of texts that say which meaning is meant.
-    by_meaning: HashMap<(String, String), [String; 2]>,
+    by_meaning: HashMap<String, HashMap<String, [String; 2]>>,
 }
 
 impl Texts {
     fn read(file: &str) -> Self {
         let file = rspolib::pofile(file).expect("a test reads every file");
-        let (mut all, mut by_meaning) = (HashMap::new(), HashMap::new());
+        let mut all = HashMap::new();
+        let mut by_meaning: HashMap<String, HashMap<_, _>> = HashMap::new();
         for entry in file.entries {
             let mut several = entry.msgstr_plural.into_iter();
             let one = entry.msgstr.or_else(|| several.next()).unwrap_or_default();
@@ -30,7 +31,12 @@ impl Texts {
             let both = [one, several.next().unwrap_or_default()];
             match entry.msgctxt {
                 None => drop(all.insert(entry.msgid, both)),
-                Some(meaning) => drop(by_meaning.insert((meaning, entry.msgid), both)),
+                Some(meaning) => {
+                    by_meaning
+                        .entry(meaning)
+                        .or_default()
+                        .insert(entry.msgid, both);
+                }
             }
         }
         Self { all, by_meaning }
@@ -39,9 +45,7 @@ impl Texts {
     fn find(&self, english: &str, meaning: Option<&str>) -> Option<&[String; 2]> {
         match meaning {
             None => self.all.get(english),
-            Some(meaning) => self
-                .by_meaning
-                .get(&(meaning.to_owned(), english.to_owned())),
+            Some(meaning) => self.by_meaning.get(meaning)?.get(english),
         }
     }
 }
@@ -60,15 +64,14 @@ fn found(english: &str, meaning: Option<&str>) -> Option<&'static [String; 2]> {
     texts()?.find(english, meaning)
 }
 
-/// A text without figures in the language spoken.
-pub fn said(english: &'static str) -> &'static str {
+/// A text that is known only as the program runs, such as a name in a file, in the language spoken.
+pub fn translated(english: &str) -> &str {
     found(english, None).map_or(english, |[text, _]| text)
 }
 
-/// The same of a text that is known only as the program runs, such as a name in a file.
-pub fn translated(english: &str) -> Cow<'_, str> {
-    let text = found(english, None).map(|[text, _]| text.as_str());
-    Cow::Borrowed(text.unwrap_or(english))
+/// A text without figures in the language spoken.
+pub fn said(english: &'static str) -> &'static str {
+    translated(english)
 }
 
 /// A text of a meaning, to be filled in.
@@ -113,7 +116,7 @@ mod tests {
             ),
         ] {
             in_language(language, || {
-                assert_eq!((said("Open"), &*translated("Open")), (open, open));
+                assert_eq!((said("Open"), translated("Open")), (open, open));
                 assert_eq!([0, 1, 2].map(lines), counts);
                 // What nobody translated, and nothing, stay as they are.
                 assert_eq!((said("FL3.1"), said("")), ("FL3.1", ""));

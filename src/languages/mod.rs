@@ -109,13 +109,14 @@ pub fn speak(language: Language) {
 
 /// What is made while this thread speaks a language; then it speaks its own again.
 pub fn in_language<T>(language: Language, make: impl FnOnce() -> T) -> T {
-    struct Back(Language);
+    struct Back(Language, bool);
     impl Drop for Back {
         fn drop(&mut self) {
             SPOKEN.set(self.0);
+            DECIMAL_COMMAS.set(self.1);
         }
     }
-    let _back = Back(spoken());
+    let _back = Back(spoken(), has_decimal_commas());
     speak(language);
     make()
 }

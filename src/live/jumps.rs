@@ -4,13 +4,11 @@
 //! glow and the glow's shape, tested together, and the level by itself.
 
 use super::tracks::{Point, Track, Tracks};
+use crate::measurements::OF_95;
 use crate::measurements::{COSINES, Feature, Moment, Part, Shift, jumps, scatter};
 
 /// Most groups of frames in which jumps are looked for.
 const MOST_GROUPS: usize = 2048;
-
-/// Half width of 95 % in standard deviations.
-const OF_95: f64 = 1.96;
 
 /// Less than this share of the brightest is dark.
 const DARK: f64 = 1e-3;

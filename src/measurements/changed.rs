@@ -3,6 +3,7 @@
 //! Every part is a quotient of two linear sums of the light, so that its error by noise, memory
 //! and axis is known without drawing; the parts but the level are tested by Holm's procedure.
 
+use super::statistics::LEVEL_OF_TEST;
 use std::fmt;
 
 use super::{
@@ -15,9 +16,6 @@ use super::{
     statistics::{holm, quantile_of_p, two_sided_p},
 };
 use crate::spectrum::{Outside, Sampled};
-
-/// Probability of calling the same light different.
-const LEVEL_OF_TEST: f64 = 0.05;
 
 /// Degrees of freedom of what is stated.
 const STATED: f64 = 1e6;

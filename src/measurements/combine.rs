@@ -62,9 +62,6 @@ pub fn combine(
     let letters = letters_of(formula, inputs.len())?;
     let mut notes = Vec::new();
     let (step, meaning) = understood(&formula.0, inputs, &mut notes)?;
-    for index in (0..inputs.len()).filter(|index| !letters.contains(index)) {
-        notes.push(tr!("{letter} is not used.", letter = letter(index)));
-    }
     let parts: Vec<&Measurement> = letters.iter().map(|index| &inputs[*index]).collect();
     let bare = Union::of(&parts, false)?;
     let union = match step.is_curved() {

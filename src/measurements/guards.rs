@@ -27,7 +27,7 @@ const LEAST_FALL: f64 = 13.8;
 /// Pairs of numbers looked ahead.
 const AHEAD: usize = 3;
 /// Highest order that is asked for.
-const MOST_ORDER: usize = 40;
+pub const MOST_ORDER: usize = 40;
 
 /// What the detector finds, without the lines that noise may have made.
 pub(super) fn lines_above_noise(

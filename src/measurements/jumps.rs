@@ -5,6 +5,7 @@
 //! included, the moments before and behind tell, the noisier of both; where the ten values stray much
 //! more about their own lines, as beside a flash, that counts. All moments of all series are tested together by Holm's procedure.
 
+use super::statistics::LEVEL_OF_TEST;
 use super::statistics::{holm, two_sided_p};
 
 /// Values on either side.
@@ -20,8 +21,6 @@ const LOCAL_DOF: f64 = 7.0;
 const FAR: f64 = 2.0;
 /// Fewer values tell no noise.
 const LEAST: usize = 30;
-/// Probability of a false jump in all series together.
-const LEVEL_OF_TEST: f64 = 0.05;
 /// Of the sizes of all steps so large a share, the smallest, tells the noise: jumps are few.
 const QUIET: f64 = 0.7;
 /// Mean square of that share of normal numbers.

@@ -1,11 +1,10 @@
 //! Quotients near nothing: intervals that hold where straight propagation does not, and lines that
 //! sample and reference share.
 
+use super::statistics::OF_95;
 use super::{guards::weight_of, measurement::Measurement, on_nm::OnWholeNm};
 use crate::spectrum::{Band, FoundSpike, Outside, SpikeSettings, detect};
 
-/// Half width of 95 % in standard deviations.
-const OF_95: f64 = 1.96;
 /// A line of the sample is that of the reference up to this distance, nm.
 const SAME_NM: f64 = 1.5;
 

@@ -1,5 +1,11 @@
 //! Student's t and Holm's procedure.
 
+/// Half the width of the interval that holds a normal number 95 times of 100, in standard
+/// deviations.
+pub const OF_95: f64 = 1.96;
+/// Probability of a false difference among all that are compared together.
+pub(super) const LEVEL_OF_TEST: f64 = 0.05;
+
 /// Logarithm of the gamma function for arguments above 0 (Lanczos, g = 7, nine terms; 1e-15).
 fn ln_gamma(x: f64) -> f64 {
     const TERMS: [f64; 9] = [

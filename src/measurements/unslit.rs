@@ -6,6 +6,7 @@
 //! are taken. A correction that moves the colour by less than its own doubt is not made: most of the
 //! noise is in the colour before and after alike, and tells nothing of the move.
 
+use super::statistics::OF_95;
 use nalgebra::{DMatrix, DVector, Matrix2};
 
 use super::{
@@ -34,8 +35,6 @@ const CURVATURE: f64 = 0.1;
 const ROUNDS: usize = 8;
 /// Width of the lines that are drawn, nm.
 const DRAWN_NM: f64 = 2.0;
-/// Half width of 95 % in standard deviations.
-const OF_95: f64 = 1.96;
 
 /// A line that the slit had drawn wide.
 #[derive(Clone, Copy, Debug, PartialEq)]

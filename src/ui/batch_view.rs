@@ -1,5 +1,6 @@
 //! Files that were opened together: how far they are, and what came of each.
 
+use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::{Align2, Context, Key, Modifiers, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
@@ -282,7 +283,8 @@ impl BatchView {
                     .clicked();
                 let meaning = said!("Every file with format, count, how it was read and its path.");
                 if pressed(ui, said!("Copy as CSV"), meaning) {
-                    ui.copy_text(summary.table().csv().trim_end().to_owned());
+                    let csv = in_language(Language::English, || summary.table().csv());
+                    ui.copy_text(csv.trim_end().to_owned());
                     wish = Some(Wish::Say(
                         said!("Copied as CSV: files opened together.").to_owned(),
                     ));

@@ -83,7 +83,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         );
     }
     if as_it_starts && !of_family.is_empty() {
-        return (notice, translated(of_family).into_owned());
+        return (notice, translated(of_family).to_owned());
     }
     let question = question(app, order, !spikes.is_empty());
     (notice, question)

@@ -1,5 +1,6 @@
 //! Texts whose words lead to the glossary: a click opens what the word means beside them.
 
+use super::kit::kept;
 use eframe::egui;
 use egui::{
     Color32, CursorIcon, Galley, Id, Label, Pos2, Rect, RichText, Sense, Stroke, TextFormat, Ui,
@@ -41,7 +42,10 @@ impl Linked {
 
     /// Draws a text; the first time that a word of the glossary stands in it, it is a link.
     pub(super) fn text(&mut self, ui: &mut Ui, text: &str, ink: Color32) -> Rect {
-        let mut links = glossary::found_in(text);
+        // In other languages each form is looked up: once a text, not once a frame.
+        let id = Id::unique("words of the glossary in").with(text);
+        let find = || glossary::found_in(text);
+        let mut links = kept(ui.ctx(), id, text.to_owned(), find);
         links.retain(|(_, word)| !self.seen.contains(&word.word));
         self.seen.extend(links.iter().map(|(_, word)| word.word));
         let font = egui::TextStyle::Body.resolve(ui.style());

@@ -1,5 +1,6 @@
 //! "By the instrument": what the meter computed beside what the program computes.
 
+use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::Ui;
 
@@ -59,8 +60,8 @@ impl MakersView {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let meaning = said!("Copies every number of the instrument beside ours.");
                 if pressed_small(ui, said!("Copy CSV"), meaning) {
-                    ui.ctx()
-                        .copy_text(makers::table(rows).csv().trim_end().to_owned());
+                    let csv = in_language(Language::English, || makers::table(rows).csv());
+                    ui.ctx().copy_text(csv.trim_end().to_owned());
                     said = Some(
                         said!("Copied as CSV: the instrument's numbers beside ours.").to_owned(),
                     );

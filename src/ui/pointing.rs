@@ -40,7 +40,7 @@ fn spoken(wanted: &str) -> Vec<String> {
         let begins = words.split('{').next().unwrap_or_default().to_owned();
         (!begins.is_empty()).then_some(begins)
     });
-    let mut all = vec![wanted.to_owned(), translated(wanted).into_owned()];
+    let mut all = vec![wanted.to_owned(), translated(wanted).to_owned()];
     all.extend(filled);
     all
 }

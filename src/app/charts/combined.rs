@@ -1,6 +1,7 @@
 //! A measurement as a chart: its curve with the band that holds it 95 times of 100, and gaps where it
 //! holds no value.
 
+use crate::measurements::OF_95;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
@@ -10,9 +11,6 @@ use crate::{
     measurements::{Measurement, Quantity, mean_of, rounded},
     spectrum::Band,
 };
-
-/// Half width of 95 % in standard deviations.
-pub(super) const OF_95: f64 = 1.96;
 
 /// What a combination made, over the readings of its kind that it was made of.
 pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {

@@ -6,6 +6,7 @@ use super::{
     said,
     words::with_half,
 };
+use crate::measurements::OF_95;
 use crate::{
     app::readings::names_of_lines,
     languages::with_sign,
@@ -192,12 +193,8 @@ pub(super) fn of_ranges(parts: &[Measurement], is_sound: bool) -> Result<Found, 
         return Err(said!("expected 2 ranges of one light").to_owned());
     };
     let spliced = splice(first, second, is_sound).map_err(said)?;
-    let made_by = tr!(
-        "splice of {first} and {second}",
-        first = first.name,
-        second = second.name
-    );
-    let half = 1.96 * spliced.u * spliced.factor;
+    let made_by = format!("splice of {} and {}", first.name, second.name);
+    let half = OF_95 * spliced.u * spliced.factor;
     let [from, to] = spliced.overlap_nm.map(|nm| with_sign(nm.to_string()));
     let note = tr!(
         "From {from} to {to} nm both are there: the second is multiplied by {factor}.",

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     app::{instruments, today},
-    languages::{fixed, signed, with_sign},
+    languages::{fixed, signed},
     measurements::{
         Formula, Instrument, Kernel, Known, Measurement, Options, Quantity, axis_of, combine,
         learn, slit_of,
@@ -100,13 +100,13 @@ pub fn learnt(
     instrument.name = name.unwrap_or_else(|| reading.name.clone());
     instrument.date = today();
     instrument.known = match doubt > 0.0 {
-        true => format!("{words} \u{b1} {} K", with_sign(doubt.to_string())),
+        true => format!("{words} \u{b1} {} K", doubt),
         false => words.to_owned(),
     };
     instrument.slit = slit_of(&reading, Kernel::Gauss)
         .ok()
         .map(|found| found.slit);
-    let made_by = tr!("response by {known}", known = instrument.known);
+    let made_by = format!("response by {}", instrument.known);
     let mut found = Found::of(instrument.factor.clone(), made_by, doubt_from(parts));
     found.notes.extend(stretches(&instrument.factor));
     if let Some(axis) = &instrument.axis {
@@ -140,11 +140,7 @@ pub(super) fn used(instrument: Instrument, parts: &[Measurement]) -> Result<Foun
         ));
     }
     let light = instrument.corrected(&reading).map_err(said)?;
-    let made_by = tr!(
-        "{reading} by the instrument {instrument}",
-        reading = reading.name,
-        instrument = instrument.name
-    );
+    let made_by = format!("{} by the instrument {}", reading.name, instrument.name);
     let mut found = Found::of(light, made_by, from);
     found.notes.extend(stretches(found.result()));
     found.first_nm = vec![found.result().samples.nm().to_vec()];

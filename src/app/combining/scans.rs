@@ -29,7 +29,7 @@ const SAME_NM: f64 = 1.0;
 pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, String> {
     let made_by = match parts.len() {
         1 => parts[0].name.clone(),
-        n => tr!("mean of {n} scans", n),
+        n => format!("mean of {n} scans"),
     };
     if parts.len() < LEAST_SCANS {
         return of_few(parts, made_by);

@@ -6,7 +6,7 @@ use super::{
     said,
 };
 use crate::{
-    languages::{fixed, signed, with_sign},
+    languages::{fixed, signed},
     measurements::{
         Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed,
         unslit,
@@ -27,12 +27,8 @@ pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Stri
     let from = doubt_from(&parts);
     let part = the_one(parts)?;
     let seen = smoothed(&part, slit).map_err(said)?;
-    let made_by = tr!(
-        "{name} through {width} nm ({shape})",
-        name = part.name,
-        width = with_sign(slit.fwhm_nm.to_string()),
-        shape = slit.shape.word()
-    );
+    let (width, shape) = (slit.fwhm_nm, slit.shape.word());
+    let made_by = format!("{} through {width} nm ({shape})", part.name);
     let mut found = Found::of(seen, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
     found.tell_lines();
@@ -62,15 +58,11 @@ pub(super) fn taken_off(
         part.sigma = noise_behind(&part.samples, slit.slit);
     }
     let made = unslit(&part, slit.slit).map_err(said)?;
-    let (width, shape) = (fixed(slit.slit.fwhm_nm, 2), slit.slit.shape.word());
-    let width = match slit.is_sure {
-        true => format!("{width} nm ({shape})"),
-        false => tr!("about {width} nm ({shape})", width, shape),
-    };
-    let made_by = tr!(
-        "{name} without its slit of {width}",
-        name = part.name,
-        width
+    let (width, shape) = (slit.slit.fwhm_nm, slit.slit.shape.word());
+    let about = if slit.is_sure { "" } else { "about " };
+    let made_by = format!(
+        "{} without its slit of {about}{width:.2} nm ({shape})",
+        part.name
     );
     let mut found = Found::of(made.result, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];

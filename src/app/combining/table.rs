@@ -4,6 +4,7 @@ use super::{
     result::{Found, LineRow, ScanRow},
     words::{change_words, figure_words, scan_words, with_half},
 };
+use crate::measurements::OF_95;
 use crate::{
     app::{
         cells::{Columns, Table, cell, column},
@@ -15,9 +16,6 @@ use crate::{
 
 /// Most lines that are listed, the strongest ones.
 const MOST_LINES: usize = 8;
-
-/// Half width of 95 % in standard deviations.
-const OF_95: f64 = 1.96;
 
 const HALF_WIDTH: &str = later!("\u{b1} is the half width of the 95 % interval.");
 

@@ -1,5 +1,6 @@
 //! The result of a combination in words.
 
+use crate::measurements::OF_95;
 use std::fmt::Write as _;
 
 use super::result::{Found, LineRow, ScanRow};
@@ -112,7 +113,7 @@ pub fn with_half(value: f64, half: Option<f64>) -> String {
 
 /// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
 pub fn line_words(line: &LineRow) -> String {
-    let with = |value: f64, u: Option<f64>| with_half(value, u.map(|u| 1.96 * u));
+    let with = |value: f64, u: Option<f64>| with_half(value, u.map(|u| OF_95 * u));
     let weight = line.weight.map_or_else(
         || said!("its top is cut").to_owned(),
         |w| with(w, line.u[1]),
@@ -204,7 +205,7 @@ pub fn change_words(part: &Part) -> String {
         Feature::Cct => (1.0, " K"),
         _ => (100.0, " %"),
     };
-    let (change, u) = rounded(by * part.change, 1.96 * by * part.u);
+    let (change, u) = rounded(by * part.change, OF_95 * by * part.u);
     let sign = if part.change > 0.0 { "+" } else { "" };
     with_sign(format!("{sign}{change} \u{b1} {u}{unit}"))
 }

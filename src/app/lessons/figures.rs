@@ -42,7 +42,7 @@ impl Told {
 /// Every key, with what it counts where that is not told elsewhere.
 pub fn keys() -> Vec<(&'static str, &'static str)> {
     let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
-    let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title()));
+    let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title));
     // Those of a light whose unit says nothing.
     let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
     let of_quality = rows(&dark).into_iter();
@@ -93,7 +93,7 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         let value = app.derived().figures[measure];
         let unit = measure.figure().unit;
         return Ok(Told {
-            title: measure.figure().title(),
+            title: measure.figure().title,
             value,
             words: match unit == Unit::DELTA_E {
                 true => told("", value, unit).words,
@@ -123,7 +123,7 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         unit: (1.0, String::new()),
     };
     Ok(row.map_or(none, |row| Told {
-        title: row.figure.title(),
+        title: row.figure.title,
         value: row.value.clone().ok(),
         words: match row.figure.key {
             // As titles have it.

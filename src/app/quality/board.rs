@@ -63,7 +63,7 @@ impl Board {
     /// The eight surfaces that a client asks for.
     pub(super) fn for_clients(lights: &[(&Entry, &Side)], adaptation: Adaptation) -> Self {
         let (names, tables) = &*CLIENTS_SURFACES;
-        let names = names.iter().map(|name| translated(name).into_owned());
+        let names = names.iter().map(|name| translated(name).to_owned());
         Self::of(lights, &(names.collect(), tables.clone()), adaptation)
     }
 

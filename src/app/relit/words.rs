@@ -193,7 +193,7 @@ pub fn peer_rows(peers: &[Peer]) -> (Rows, String) {
             number(lights.map(|s| s.mean)),
             number(lights.map(|s| s.p95)),
             number(error.map(|e| 100.0 * e.relative_rms)),
-            crate::languages::translated(&peer.description).into_owned(),
+            crate::languages::translated(&peer.description).to_owned(),
         ]
     });
     (rows.collect(), nearest(peers))

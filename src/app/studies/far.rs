@@ -3,7 +3,11 @@
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{AuctionAsk, LightsQualityAsk, ManyAsk, Question, RaceAsk, SweepAsk};
-use crate::{design::solve::FrontProblem, study::Progress};
+use crate::{
+    design::solve::FrontProblem,
+    languages::{Language, in_language},
+    study::Progress,
+};
 
 /// Answers a question of a kind; `None` where it is of another kind, or where it or its answer does
 /// not cross unchanged.
@@ -30,8 +34,8 @@ where
     Q: Question<Answer: Serialize + DeserializeOwned + PartialEq> + DeserializeOwned,
 {
     let crossing = Q::crossing().filter(|crossing| crossing.kind == kind)?;
-    let question: Q = serde_json::from_slice(question).ok()?;
-    let answer = question.answer(progress);
+    let (language, question): (Language, Q) = serde_json::from_slice(question).ok()?;
+    let answer = in_language(language, || question.answer(progress));
     let bytes = serde_json::to_vec(&answer).ok()?;
     // JSON has no word for a number that is none.
     ((crossing.found)(&bytes)? == answer).then_some(bytes)

@@ -1,5 +1,6 @@
 //! Words with a task: names for screen readers, titles with a button, warnings.
 
+use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::{
     Align, Button, CollapsingHeader, DragValue, Frame, Label, Layout, Margin, Rect, Response,
@@ -128,7 +129,10 @@ pub fn copy_button(ui: &mut Ui, name: &str, meaning: &str, csv: impl FnOnce() ->
     if !meaning.is_empty() {
         button = button.on_hover_text(meaning);
     }
-    let text = button.clicked().then(csv);
+    // Programs read English.
+    let text = button
+        .clicked()
+        .then(|| in_language(Language::English, csv));
     if let Some(text) = text.filter(|text| !text.is_empty()) {
         ui.ctx().copy_text(text);
     }

@@ -29,7 +29,7 @@ pub(super) fn favourites_row(
         ui.columns(3, |columns| {
             for (ui, favourite) in columns.iter_mut().zip(row) {
                 let size = vec2(ui.available_width(), 26.0 * theme.scale);
-                let label = translated(favourite.label).into_owned();
+                let label = translated(favourite.label).to_owned();
                 let button = egui::Button::new(label).truncate();
                 let response = ui.add_sized(size, button);
                 if response.clicked() {

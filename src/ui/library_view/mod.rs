@@ -165,7 +165,7 @@ impl LibraryView {
                 title,
                 count,
                 folded,
-            } => heading(ui, size, &translated(title), *count, *folded)
+            } => heading(ui, size, translated(title), *count, *folded)
                 .then(|| Wish::Fold(title.clone())),
             Row::File {
                 name,

@@ -1,5 +1,6 @@
 //! The page "Truth": the paper's claims, each with what is measured here and what becomes of it.
 
+use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::{Align, Grid, Layout, RichText, Ui, vec2};
 
@@ -90,7 +91,8 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
     ui.horizontal_wrapped(|ui| {
         let meaning = said!("Copies claim, paper, measured and verdict of every card as a table.");
         if pressed(ui, said(COPY), meaning) {
-            ui.ctx().copy_text(copied_table(context.app, claims).csv());
+            let table = || copied_table(context.app, claims).csv();
+            ui.ctx().copy_text(in_language(Language::English, table));
         }
         ui.weak(match claims.basis {
             Basis::Fourier => tr!(

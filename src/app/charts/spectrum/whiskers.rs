@@ -4,9 +4,8 @@ use crate::{
     app::{
         App,
         chart::{Dash, Ink, Series, stroke},
-        charts::combined::OF_95,
     },
-    measurements::LineWithDoubt,
+    measurements::{LineWithDoubt, OF_95},
     spectrum::Line,
 };
 

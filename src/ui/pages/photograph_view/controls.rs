@@ -305,8 +305,6 @@ fn opens(ui: &mut Ui, context: &mut PageContext<'_>) {
     let button = ui
         .button(languages::said(names::OPEN))
         .on_hover_text(meaning);
-    // Lessons point at it by this name.
-    kit::named(&button, egui::Role::Button, names::OPEN);
     if button.clicked() {
         context.wishes.push(PageWish::OpenPicture);
     }

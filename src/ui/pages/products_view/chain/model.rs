@@ -1,5 +1,6 @@
 //! The model's side of a chain: how its products are formed, what they are off by, and its lines.
 
+use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::{RichText, Ui};
 
@@ -28,8 +29,8 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainShee
         let meaning = said!("Copies the light and every step as a table.");
         if pressed(ui, said(names::COPY_STAGES), meaning) {
             let chain = &context.app.document().products.chain;
-            ui.ctx()
-                .copy_text(stages_table(context.app, &sheet.told, chain).csv());
+            let table = || stages_table(context.app, &sheet.told, chain).csv();
+            ui.ctx().copy_text(in_language(Language::English, table));
         }
     });
     ui.add_space(4.0);
@@ -139,8 +140,8 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
                 Place::Light => said!("the light"),
                 Place::Stage(index) => &sheet.told.names[index],
             };
-            ui.ctx()
-                .copy_text(spikes_table(app, stage, spikes, &sheet.told.known).csv());
+            let table = || spikes_table(app, stage, spikes, &sheet.told.known).csv();
+            ui.ctx().copy_text(in_language(Language::English, table));
         }
     });
     if spikes.is_empty() {
