@@ -108,9 +108,13 @@ pub(super) fn weight_of(on_nm: &OnWholeNm, at_nm: f64, width_nm: f64) -> (f64, f
     (weight, on_nm.doubt_of(first, &own))
 }
 
-/// Shares of the power, in 0-1, of the lines that the detector finds and that noise may have made;
-/// none where no noise is known.
-pub fn shares_of_the_noise(of: &Measurement, band: Band, settings: SpikeSettings) -> Vec<f64> {
+/// The lines that the detector finds and that noise may have made: place, nm, and share of the power,
+/// in 0-1; none where no noise is known.
+pub fn lines_of_the_noise(
+    of: &Measurement,
+    band: Band,
+    settings: SpikeSettings,
+) -> Vec<(f64, f64)> {
     if of.sigma.is_none() {
         return Vec::new();
     }
@@ -118,8 +122,8 @@ pub fn shares_of_the_noise(of: &Measurement, band: Band, settings: SpikeSettings
     let all = detect(band, &on_nm.values, settings);
     let kept = lines_above_noise(band, &on_nm, settings).spikes;
     let of_noise = all.spikes.iter().filter(|line| !kept.contains(line));
-    let shares = of_noise.map(|line| line.spike.weight / all.power);
-    shares.filter(|share| share.is_finite()).collect()
+    let told = of_noise.map(|line| (line.spike.at_nm, line.spike.weight / all.power));
+    told.filter(|(_, share)| share.is_finite()).collect()
 }
 
 /// The order of a series from which on more numbers draw the noise of a light and no longer the
@@ -131,15 +135,33 @@ pub fn order_of_the_noise(of: &Measurement, band: Band, basis: Basis) -> Option<
     let smooth = lines_above_noise(band, &on_nm, SpikeSettings::default()).smooth;
     let table = BasisTable::new(band, basis, numbers_of_order(MOST_ORDER));
     let coefficients = table.project(&smooth, table.numbers());
-    let projections: Vec<(f64, f64)> = (0..table.numbers())
-        .map(|k| {
-            let row = table.row(k).iter().enumerate();
-            let norm = basis.norm_squared(k, band);
-            let weights: Vec<f64> = row.map(|(i, f)| f * band.weight(i) / norm).collect();
-            (coefficients[k], on_nm.doubt_of(0, &weights))
-        })
-        .collect();
+    let doubts = doubts_on(&on_nm, &table, band, basis);
+    let projections: Vec<(f64, f64)> = coefficients.into_iter().zip(doubts).collect();
     Some(bought(&projections))
+}
+
+/// Standard uncertainties of the first numbers of a series of a light, in the unit of its values.
+/// `None` where no noise is known.
+pub fn doubts_of_numbers(
+    of: &Measurement,
+    band: Band,
+    basis: Basis,
+    numbers: usize,
+) -> Option<Vec<f64>> {
+    of.sigma.as_ref()?;
+    let on_nm = OnWholeNm::of(of, band.min_nm() as u32, band.max_nm() as u32);
+    let table = BasisTable::new(band, basis, numbers);
+    Some(doubts_on(&on_nm, &table, band, basis))
+}
+
+fn doubts_on(on_nm: &OnWholeNm, table: &BasisTable, band: Band, basis: Basis) -> Vec<f64> {
+    let doubt = |k: usize| {
+        let row = table.row(k).iter().enumerate();
+        let norm = basis.norm_squared(k, band);
+        let weights: Vec<f64> = row.map(|(i, f)| f * band.weight(i) / norm).collect();
+        on_nm.doubt_of(0, &weights)
+    };
+    (0..table.numbers()).map(doubt).collect()
 }
 
 /// Pairs of numbers behind the first that pay; each with its standard uncertainty.

@@ -101,7 +101,7 @@ pub use features::{COSINES, Feature};
 pub use figures::{FIGURES, Figure, figures_of};
 pub use flat_tops::{FlatTop, flat_tops};
 pub use formula::{Formula, FormulaError};
-pub use guards::{MOST_ORDER, order_of_the_noise, shares_of_the_noise};
+pub use guards::{MOST_ORDER, doubts_of_numbers, lines_of_the_noise, order_of_the_noise};
 pub use instrument::{Instrument, Known, learn};
 pub use jumps::{Moment, Shift, jumps, scatter};
 pub use kernel::{Kernel, Slit};

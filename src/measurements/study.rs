@@ -106,7 +106,7 @@ fn intervals_of_figures_hold_95_of_100_in_every_cell() {
                 for (index, (_, lamp)) in lamps.iter().enumerate() {
                     let values = lamp.on_whole_nm(360, 830, Outside::Zero);
                     let truth = figures_of(&values);
-                    for trial in 0..4 {
+                    for trial in 0..20 {
                         let seed = 1000 * index as u64 + trial + count as u64 * 77;
                         let scans = scans(lamp, snr, count, kernel, seed);
                         let mean = Repeats::of(&scans).expect("three or more").mean;
@@ -127,8 +127,8 @@ fn intervals_of_figures_hold_95_of_100_in_every_cell() {
                     kernel.len() - 1,
                     told.join(" ")
                 );
-                // Some 440 trials a cell: 1 % is one deviation of 95 %.
-                assert!(shares.iter().all(|s| (91.0..=99.0).contains(s)));
+                // Some 2,900 trials a cell: .4 % is one deviation of 95 %.
+                assert!(shares.iter().all(|s| (93.0..=97.5).contains(s)));
             }
         }
     }

@@ -1,6 +1,5 @@
 //! Files that were opened together: how far they are, and what came of each.
 
-use crate::languages::{Language, in_language};
 use eframe::egui;
 use egui::{Align2, Context, Key, Modifiers, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
@@ -10,7 +9,7 @@ use super::{
 };
 use crate::{
     app::open::{FileRow, Progress, Summary},
-    languages::said,
+    languages::{Language, in_language, said},
 };
 
 /// Width of the bar, points.

@@ -40,7 +40,8 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, S
         drops,
         mut notes,
     } = Belonging::of(parts, keep_all)?;
-    let repeats = Repeats::of(&kept).map_err(said)?;
+    let mut repeats = Repeats::of(&kept).map_err(said)?;
+    repeats.mean.name.clone_from(&made_by);
     let all = match kept.len() == parts.len() {
         true => repeats.clone(),
         false => Repeats::of(parts).map_err(said)?,
@@ -171,6 +172,7 @@ fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, String> {
     let noisy = with_noise(parts.to_vec());
     let root = (parts.len() as f64).sqrt();
     let mut mean = mean_of(&noisy).map_err(said)?;
+    mean.name.clone_from(&made_by);
     if parts.len() > 1 {
         let first = &noisy[0];
         mean.sigma = first

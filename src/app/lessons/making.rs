@@ -9,6 +9,7 @@ use super::names::{entry, light};
 use crate::{
     app::{
         App, Command, Entry,
+        combining::Act,
         command::MadeFor,
         library::Library,
         photograph::{Photograph, example},
@@ -81,12 +82,29 @@ pub enum Making {
         /// Standard deviation of white noise, per cent of the largest value, 0 to 50.
         #[serde(default)]
         noise_percent: f64,
+        /// Width over which the instrument smooths its noisy readings, nm, 0 to 50.
+        #[serde(default)]
+        smoothed_nm: f64,
+        /// Which scan it is: noise is new in each.
+        #[serde(default = "first")]
+        scan: u32,
+    },
+    /// The mean of scans of one light, with its uncertainty.
+    Mean {
+        /// What it is called.
+        name: String,
+        /// The scans, 3 to 20.
+        scans: Vec<String>,
     },
     /// The light of the photograph on its page; without one that has wavelengths that of the example.
     Photographed {
         /// What it is called.
         name: String,
     },
+}
+
+fn first() -> u32 {
+    1
 }
 
 impl Making {
@@ -98,6 +116,7 @@ impl Making {
             | Self::Metamer { name, .. }
             | Self::Sum { name, .. }
             | Self::Recorded { name, .. }
+            | Self::Mean { name, .. }
             | Self::Photographed { name } => name,
         }
     }
@@ -145,10 +164,19 @@ impl Making {
                 light: of,
                 slit_nm,
                 noise_percent,
+                smoothed_nm,
+                scan,
             } => {
-                let spectrum = recorded(name, &*light(app, of)?, *slit_nm, *noise_percent)?;
+                let by = Recording {
+                    slit_nm: *slit_nm,
+                    noise_percent: *noise_percent,
+                    smoothed_nm: *smoothed_nm,
+                    scan: *scan,
+                };
+                let spectrum = by.of(name, &*light(app, of)?)?;
                 app.apply(Command::Adopt(vec![spectrum]));
             }
+            Self::Mean { name, scans } => mean(app, name, scans)?,
             Self::Photographed { name } => {
                 let drawn = example().as_ref().as_ref().ok();
                 let drawn = drawn.and_then(|drawn| drawn.found.as_ref().ok());
@@ -257,24 +285,50 @@ fn metamer(app: &mut App, name: &str, surface: &str, lights: [&String; 2]) -> Re
         patch: index,
         room_percent: 100,
     };
+    match by_recipe(app, name, recipe) {
+        true => Ok(()),
+        false => Err(format!(
+            "found no metamer of {surface} between these lights, expected one"
+        )),
+    }
+}
+
+fn mean(app: &mut App, name: &str, scans: &[String]) -> Result<(), String> {
+    const COUNT: std::ops::RangeInclusive<usize> = 3..=20;
+    if !COUNT.contains(&scans.len()) {
+        let count = scans.len();
+        return Err(format!("found a mean of {count} scans, expected 3 to 20"));
+    }
+    let parts = scans.iter().map(|scan| Ok(light(app, scan)?.key.clone()));
+    let recipe = Recipe::Combined {
+        act: Act::Mean { keep_all: false },
+        parts: parts.collect::<Result<_, String>>()?,
+    };
+    match by_recipe(app, name, recipe) {
+        true => Ok(()),
+        false => Err(format!(
+            "found no mean of {}, expected scans of one light",
+            scans.join(", ")
+        )),
+    }
+}
+
+/// Makes a spectrum under a name; false where the recipe makes none.
+fn by_recipe(app: &mut App, name: &str, recipe: Recipe) -> bool {
     let before = app.document().own.len();
     app.apply(Command::Make {
         recipe,
         place: MadeFor::Shown,
     });
-    match app.document().own.last() {
-        Some(own) if app.document().own.len() > before => {
-            let key = own.key.clone();
-            app.apply(Command::Rename {
-                key,
-                name: name.to_owned(),
-            });
-            Ok(())
-        }
-        _ => Err(format!(
-            "found no metamer of {surface} between these lights, expected one"
-        )),
+    if app.document().own.len() == before {
+        return false;
     }
+    let made = app.document().own.last().map(|own| own.key.clone());
+    if let Some(key) = made {
+        let name = name.to_owned();
+        app.apply(Command::Rename { key, name });
+    }
+    true
 }
 
 fn sum(name: &str, lights: &[Arc<Entry>]) -> Result<NamedSpectrum, String> {
@@ -312,40 +366,50 @@ fn sum(name: &str, lights: &[Arc<Entry>]) -> Result<NamedSpectrum, String> {
     ))
 }
 
-fn recorded(
-    name: &str,
-    light: &Entry,
-    fwhm_nm: f64,
+/// An instrument's way from a light to its numbers.
+struct Recording {
+    slit_nm: f64,
     noise_percent: f64,
-) -> Result<NamedSpectrum, String> {
-    for (what, value, [least, most]) in [
-        ("slit_nm", fwhm_nm, [0.5, 50.0]),
-        ("noise_percent", noise_percent, [0.0, 50.0]),
-    ] {
-        if !(least..=most).contains(&value) {
-            return Err(format!("found {what} {value}, expected {least} to {most}"));
+    smoothed_nm: f64,
+    scan: u32,
+}
+
+impl Recording {
+    fn of(&self, name: &str, light: &Entry) -> Result<NamedSpectrum, String> {
+        let (slit_nm, noise_percent) = (self.slit_nm, self.noise_percent);
+        for (what, value, [least, most]) in [
+            ("slit_nm", slit_nm, [0.5, 50.0]),
+            ("noise_percent", noise_percent, [0.0, 50.0]),
+            ("smoothed_nm", self.smoothed_nm, [0.0, 50.0]),
+        ] {
+            if !(least..=most).contains(&value) {
+                return Err(format!("found {what} {value}, expected {least} to {most}"));
+            }
         }
+        let through = |samples: Sampled, fwhm_nm: f64| {
+            let measured = Measurement::new(light.name(), Quantity::Light, "", samples);
+            let shape = Kernel::Triangle;
+            let seen = smoothed(&measured, Slit { shape, fwhm_nm });
+            seen.map(|seen| seen.samples).map_err(|why| why.to_string())
+        };
+        let mut samples = through(light.spectrum.samples.clone(), slit_nm)?;
+        let largest = samples.values().iter().copied().fold(0.0, f64::max);
+        let sigma = largest * noise_percent / 100.0;
+        // The same every time: every class sees the same noise.
+        let noise = normal(u64::from(self.scan));
+        let noisy = samples.values().iter().zip(noise);
+        let values = noisy.map(|(value, noise)| value + sigma * noise).collect();
+        samples = Sampled::new(samples.nm().to_vec(), values).map_err(|why| why.to_string())?;
+        let mut note = format!(
+            "{} behind a slit of {slit_nm} nm, with noise of {noise_percent} % of its largest value.",
+            light.name()
+        );
+        if self.smoothed_nm > 0.0 {
+            samples = through(samples, self.smoothed_nm)?;
+            note.push_str(&format!(" Smoothed over {} nm.", self.smoothed_nm));
+        }
+        Ok(named(name, Kind::Light, "relative", samples, note))
     }
-    let samples = light.spectrum.samples.clone();
-    let measured = Measurement::new(light.name(), Quantity::Light, "", samples);
-    let slit = Slit {
-        shape: Kernel::Triangle,
-        fwhm_nm,
-    };
-    let samples = smoothed(&measured, slit)
-        .map_err(|why| why.to_string())?
-        .samples;
-    let largest = samples.values().iter().copied().fold(0.0, f64::max);
-    let sigma = largest * noise_percent / 100.0;
-    // The same every time: every class sees the same noise.
-    let noisy = samples.values().iter().zip(normal(1));
-    let values = noisy.map(|(value, noise)| value + sigma * noise).collect();
-    let samples = Sampled::new(samples.nm().to_vec(), values).map_err(|why| why.to_string())?;
-    let note = format!(
-        "{} behind a slit of {fwhm_nm} nm, with noise of {noise_percent} % of its largest value.",
-        light.name()
-    );
-    Ok(named(name, Kind::Light, "relative", samples, note))
 }
 
 fn named(name: &str, kind: Kind, unit: &str, samples: Sampled, note: String) -> NamedSpectrum {

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Files of the shipped lessons by their names, in the order of the list: path after path.
-pub const FILES: [(&str, &str); 20] = [
+pub const FILES: [(&str, &str); 21] = [
     ("prism", include_str!("../../../lessons/prism.json")),
     ("light", include_str!("../../../lessons/light.json")),
     ("missing", include_str!("../../../lessons/missing.json")),
@@ -38,6 +38,7 @@ pub const FILES: [(&str, &str); 20] = [
         "instrument",
         include_str!("../../../lessons/instrument.json"),
     ),
+    ("noise", include_str!("../../../lessons/noise.json")),
     ("three", include_str!("../../../lessons/three.json")),
 ];
 
@@ -45,7 +46,7 @@ pub const FILES: [(&str, &str); 20] = [
 pub const PATHS: [(&str, usize); 3] = [
     (later!("School"), 9),
     (later!("Lighting"), 4),
-    (later!("University and graphics"), 7),
+    (later!("University and graphics"), 8),
 ];
 
 /// The lesson that follows a shipped one in the list; none after the last, and for others.

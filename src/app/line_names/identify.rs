@@ -29,6 +29,9 @@ const LINES_ALONE: f64 = 0.5;
 /// are one spike, or else for the nearest within reach, nm.
 const SAME_PEAK_NM: f64 = 2.0;
 
+/// A line that noise may have made is the one that is asked for up to this distance, nm.
+const SAME_NM: f64 = 1.0;
+
 /// The peaks of a light with their names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Identified {
@@ -38,6 +41,8 @@ pub struct Identified {
     reach_nm: f64,
     /// Share of the light's power in peaks that have names.
     share: f64,
+    /// Where its noise may have made lines, nm.
+    of_noise_nm: Vec<f64>,
 }
 
 impl Identified {
@@ -59,6 +64,7 @@ impl Identified {
             told: scene.told,
             bands: scene.bands,
             reach_nm: scene.reach_nm,
+            of_noise_nm: Vec::new(),
         }
     }
 
@@ -72,13 +78,32 @@ impl Identified {
             let others = (0..places_nm.len()).filter(|other| peaks[*other] == Some(peak));
             others.min_by(|a, b| off(*a, peak).total_cmp(&off(*b, peak))) == Some(place)
         };
+        let is_noise = |nm: f64| self.of_noise_nm.iter().any(|at| (at - nm).abs() <= SAME_NM);
         let told = |place: usize| match peaks[place] {
+            _ if is_noise(places_nm[place]) => None,
             Some(peak) if is_nearest(place, peak) => self.told[peak].as_ref(),
             _ => self.band_at(places_nm[place]),
         };
         (0..places_nm.len())
             .map(|place| name_of(told(place)))
             .collect()
+    }
+
+    /// Takes the names of what stands at places, nm, where its noise may have made lines.
+    pub fn without(mut self, of_noise_nm: Vec<f64>) -> Self {
+        let near = |peak: &Peak| {
+            of_noise_nm
+                .iter()
+                .any(|at| (at - peak.at_nm).abs() <= SAME_NM)
+        };
+        let peaks = self.peaks.iter().zip(&mut self.told);
+        peaks
+            .filter(|(peak, _)| near(peak))
+            .for_each(|(_, told)| *told = None);
+        Self {
+            of_noise_nm,
+            ..self
+        }
     }
 
     /// The peak that a spike at a place stands for.

@@ -240,13 +240,14 @@ fn waves(
     ui.spacing_mut().item_spacing.x = 8.0;
     // In a lesson it would be the answer.
     let from = answers::hard_to_see_from(app).filter(|_| !bare && answers::judged(app).is_ok());
-    let seen = from.map(|order| match order {
-        0 => said!("no difference is seen").to_owned(),
-        order => tr!("looks alike from {order} on", order),
-    });
-    let drawn = noise.map(|order| tr!("draws noise beyond {order}", order));
-    let does: Vec<String> = seen.into_iter().chain(drawn).collect();
-    let does = does.join(", ");
+    let does = match (from, noise) {
+        (None, None) => String::new(),
+        (Some(0), None) => said!("no difference is seen").to_owned(),
+        (Some(order), None) => tr!("looks alike from {order} on", order),
+        (None, Some(order)) => tr!("draws noise beyond {order}", order),
+        // As short as the row at its narrowest.
+        (Some(order), Some(last)) => tr!("alike from {order}, noise beyond {last}", order, last),
+    };
     let judged = match from {
         Some(_) => tr!(
             "Hard to see: ΔE₀₀ below {limit} from so many waves on, judged {judged_on}.",

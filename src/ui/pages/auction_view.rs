@@ -20,6 +20,7 @@ use crate::{
             },
             tradeoff::{self, all_figures, lack},
         },
+        last_order_in,
         pages::SPENDABLE,
         studies::{About, AuctionAsk, Stage, take},
     },
@@ -103,9 +104,12 @@ impl AuctionView {
 impl Sheet {
     fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>) -> Self {
         let names = names(&ask, &auction, app.element_lines());
-        let goal = ask.terms.goal;
+        let document = app.document();
+        let is_own = ask == AuctionAsk::of(document, ask.terms.goal, ask.terms.numbers);
+        let last = is_own.then(|| last_order_in(document, document.settings.basis));
+        let told = (ask.terms.goal, last.flatten());
         let rows = (0..auction.steps.len())
-            .map(|i| row(&auction, i, goal, &names))
+            .map(|i| row(&auction, i, told, &names))
             .collect();
         Self {
             chart: AuctionChart::of(&ask, &auction, &names),
@@ -241,13 +245,24 @@ fn columns() -> Vec<Column> {
     ]
 }
 
-fn row(auction: &Auction, index: usize, goal: Goal, names: &[crate::app::LineName]) -> Row {
+/// A step in words; waves beyond `last` draw the noise of the readings.
+fn row(
+    auction: &Auction,
+    index: usize,
+    (goal, last): (Goal, Option<usize>),
+    names: &[crate::app::LineName],
+) -> Row {
     let step = &auction.steps[index];
-    let before = index.checked_sub(1).map(|i| auction.steps[i].error);
-    let bought = if step.bought.is_empty() {
-        said!("the mean").to_owned()
-    } else {
-        purchases_words(&step.bought, auction, names)
+    let previous = index.checked_sub(1).map(|i| &auction.steps[i]);
+    let before = previous.map(|previous| previous.error);
+    let is_wave = previous.is_some_and(|previous| step.order > previous.order);
+    let bought = match step.bought.is_empty() {
+        true => said!("the mean").to_owned(),
+        false => purchases_words(&step.bought, auction, names),
+    };
+    let bought = match last.is_some_and(|last| is_wave && step.order > last) {
+        true => tr!("{bought} (noise)", bought),
+        false => bought,
     };
     let gave_back = purchases_words(&step.gave_back, auction, names);
     let error = error_words(goal, step.error);

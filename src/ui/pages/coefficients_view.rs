@@ -12,11 +12,13 @@ use crate::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
         charts::coefficients::{CoefficientCharts, Sight},
+        half_widths_of_numbers,
         numbers::{figure, percent},
         studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent},
     },
     io::many::numbers,
-    languages::{fixed, said},
+    languages::{fixed, said, with_sign},
+    measurements::rounded,
     spectrum::numbers_of_order,
     study::harmonics::Harmonics,
     ui::{
@@ -56,6 +58,8 @@ pub mod names {
 #[derive(Default)]
 pub struct CoefficientsView {
     harmonics: Memo<u64, Harmonics>,
+    /// Half widths of the 95 % intervals of the light's numbers; none where no noise is known.
+    half_widths: Memo<u64, Vec<f64>>,
     charts: Memo<(u64, Sight), CoefficientCharts>,
     /// The order whose bar is under the pointer.
     pointed: Option<usize>,
@@ -119,7 +123,11 @@ impl CoefficientsView {
         let charts = &*self.charts.get(key, |(_, sight)| {
             CoefficientCharts::of(context.app, harmonics, *sight)
         });
-        let pointed = draw(ui, context, charts, harmonics, self.pointed);
+        let half_widths = self.half_widths.get(revision, |_| {
+            half_widths_of_numbers(context.app.document(), numbers_of_order(highest))
+        });
+        let known = (harmonics, half_widths.as_slice());
+        let pointed = draw(ui, context, charts, known, self.pointed);
         if pointed != self.pointed {
             self.pointed = pointed;
             ui.ctx().request_repaint();
@@ -234,7 +242,12 @@ fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// The figures of one order: that under the pointer, or the last of the sum.
-fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointed: Option<usize>) {
+fn details(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    (harmonics, half_widths): (&Harmonics, &[f64]),
+    pointed: Option<usize>,
+) {
     let k = context.pages.why.channel;
     let n = pointed.unwrap_or(context.pages.why.partial_order);
     let Some(order) = harmonics.orders.get(n) else {
@@ -245,14 +258,16 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
     let share = |part: f64| percent(exact.map(|exact| part / exact));
     let first = harmonics.basis.number_name((2 * n).saturating_sub(1));
     let second = (n > 0).then(|| harmonics.basis.number_name(2 * n));
-    let row = |ui: &mut Ui, what: &str, values: [f64; 2]| {
+    let row = |ui: &mut Ui, what: &str, values: [f64; 2], half_widths: [Option<f64>; 2]| {
         ui.label(what);
-        ui.label(figure(values[0]));
-        if second.is_some() {
-            ui.label(figure(values[1]));
+        let columns = if second.is_some() { 2 } else { 1 };
+        for (value, half_width) in values.into_iter().zip(half_widths).take(columns) {
+            number(ui, value, half_width);
         }
         ui.end_row();
     };
+    let half_width = |k: usize| half_widths.get(k).copied();
+    let of_light = [half_width((2 * n).saturating_sub(1)), half_width(2 * n)];
     ui.strong(match pointed {
         Some(_) => tr!("Wave {n}, under the pointer", n),
         None => tr!("Wave {n}, the last of the sum", n),
@@ -267,10 +282,15 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
                 ui.strong(second);
             }
             ui.end_row();
-            row(ui, said!("spectrum, its own unit"), order.light);
-            row(ui, &tr!("what weighs {name}", name), order.weights[k]);
+            row(ui, said!("spectrum, its own unit"), order.light, of_light);
+            row(
+                ui,
+                &tr!("what weighs {name}", name),
+                order.weights[k],
+                [None; 2],
+            );
             if let Some(fit) = order.gaussian {
-                row(ui, said!("the same by Eq. 10"), fit[k]);
+                row(ui, said!("the same by Eq. 10"), fit[k], [None; 2]);
             }
         });
     ui.add_space(2.0);
@@ -299,15 +319,36 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
     }
 }
 
+/// A number of the series with half the width of its 95 % interval; faint where that holds 0.
+fn number(ui: &mut Ui, value: f64, half_width: Option<f64>) {
+    let Some(half_width) = half_width.filter(|half_width| *half_width > 0.0) else {
+        ui.label(figure(value));
+        return;
+    };
+    let (shown, half) = rounded(value, half_width);
+    let words = format!("{} ± {}", with_sign(shown), with_sign(half));
+    let is_noise = value.abs() < half_width;
+    let response = if is_noise {
+        ui.weak(words)
+    } else {
+        ui.label(words)
+    };
+    response.on_hover_text(if is_noise {
+        said!("± is the 95 % interval. It holds 0: this number may be one of the noise.")
+    } else {
+        said!("± is the 95 % interval, by the noise of the readings.")
+    });
+}
+
 /// All charts; returns the order under the pointer.
 fn draw(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     charts: &CoefficientCharts,
-    harmonics: &Harmonics,
+    known: (&Harmonics, &[f64]),
     before: Option<usize>,
 ) -> Option<usize> {
-    let highest = harmonics.orders.len().saturating_sub(1);
+    let highest = known.0.orders.len().saturating_sub(1);
     let scale = context.theme.scale;
     let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
     let mut pointed = None;
@@ -355,7 +396,7 @@ fn draw(
                     }
                 });
             }
-            details(ui, context, harmonics, before);
+            details(ui, context, known, before);
         });
     });
     pointed
