@@ -161,6 +161,11 @@ macro_rules! later {
     };
 }
 
+/// A name and what is told of it: "FL2: 4220 K", with the language's own colon.
+pub fn with_colon(name: impl std::fmt::Display, what: impl std::fmt::Display) -> String {
+    tr!("{name}: {what}", name, what)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

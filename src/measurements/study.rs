@@ -67,6 +67,15 @@ pub(super) fn scans(
     (0..count).map(scan).collect()
 }
 
+/// A seed without likeness to its neighbours: the first numbers of seeds in a row are evenly spread
+/// otherwise (Steele, Lea and Flood 2014, SplitMix).
+fn mixed(seed: u64) -> u64 {
+    let z = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}
+
 /// Chromaticity of a table.
 pub(super) fn colour(samples: &Sampled) -> [f64; 2] {
     let values = samples.on_whole_nm(360, 830, Outside::Zero);
@@ -99,6 +108,7 @@ pub(super) fn noise_of_colour(of: &Measurement) -> f64 {
 fn intervals_of_figures_hold_95_of_100_in_every_cell() {
     let lamps = lamps();
     println!("{} lamps", lamps.len());
+    let mut ends = [100.0_f64, 0.0];
     for kernel in [&[1.0][..], &MEMORY] {
         for snr in [20.0, 100.0, 1000.0] {
             for count in [3, 5, 10] {
@@ -107,7 +117,7 @@ fn intervals_of_figures_hold_95_of_100_in_every_cell() {
                     let values = lamp.on_whole_nm(360, 830, Outside::Zero);
                     let truth = figures_of(&values);
                     for trial in 0..20 {
-                        let seed = 1000 * index as u64 + trial + count as u64 * 77;
+                        let seed = mixed(1000 * index as u64 + trial + count as u64 * 77);
                         let scans = scans(lamp, snr, count, kernel, seed);
                         let mean = Repeats::of(&scans).expect("three or more").mean;
                         for (k, found) in doubts(&mean).iter().enumerate() {
@@ -127,11 +137,14 @@ fn intervals_of_figures_hold_95_of_100_in_every_cell() {
                     kernel.len() - 1,
                     told.join(" ")
                 );
-                // Some 2,900 trials a cell: .4 % is one deviation of 95 %.
-                assert!(shares.iter().all(|s| (93.0..=97.5).contains(s)));
+                ends[0] = shares.iter().copied().fold(ends[0], f64::min);
+                ends[1] = shares.iter().copied().fold(ends[1], f64::max);
             }
         }
     }
+    println!("{:.1} to {:.1}", ends[0], ends[1]);
+    // Some 2,900 trials a cell: .4 % is one deviation of 95 %.
+    assert!(ends[0] >= 93.0 && ends[1] <= 97.5, "{ends:?}");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     app::open::{FileRow, Progress, Summary},
-    languages::{Language, in_language, said},
+    languages::{Language, in_language, said, with_colon},
 };
 
 /// Width of the bar, points.
@@ -358,7 +358,7 @@ fn drawn(row: &FileRow, folder: &str) -> Row {
         note += &format!("\n{}", path.display());
     }
     Row {
-        name: format!("{}: {}, {story}", row.file, row.format()),
+        name: with_colon(&row.file, format!("{}, {story}", row.format())),
         cells: vec![
             format!(
                 "{mark}{}",

@@ -7,7 +7,7 @@ use egui::{CornerRadius, Rect, Response, Sense, Stroke, TextStyle, Ui, Vec2, pos
 use super::{kit::cut_words, swatch, theme::Theme};
 use crate::{
     app::{Board, Lit, verdicts::Seen},
-    languages::fixed,
+    languages::{fixed, with_colon},
 };
 
 /// Part of a field's height at which the references of two lights begin.
@@ -128,7 +128,7 @@ pub(super) fn from_references(lit: &[&Lit], lights: &[&str]) -> String {
         )
     });
     let each: Vec<String> = each.collect();
-    format!("{name}: {}", each.join("; "))
+    with_colon(name, each.join("; "))
 }
 
 /// What the halves of the fields are, in a line.

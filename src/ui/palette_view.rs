@@ -14,7 +14,7 @@ use crate::{
         App, Entry,
         pages::{Page, Place},
     },
-    languages::said,
+    languages::{said, with_colon},
 };
 
 #[derive(Clone, Debug)]
@@ -138,7 +138,7 @@ impl PaletteView {
 fn found(context: &Context, app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
     let wanted: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
     let pages = Page::all().map(|page| {
-        let name = format!("{}: {}", page.place().title(), page.title());
+        let name = with_colon(page.place().title(), page.title());
         (name, said!("page"), Chosen::Page(page))
     });
     let acts = SHORTCUTS

@@ -19,7 +19,7 @@ use crate::{
         verdicts::Seen,
     },
     color::Swatch,
-    languages::fixed,
+    languages::{fixed, with_colon},
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -225,8 +225,8 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                 let [first, second] = patch.halves;
                 let off = patch.delta_e_2000;
                 let name = match off {
-                    Some(off) => format!("{}: ΔE₀₀ {}", patch.name, fixed(off, 3)),
-                    None => format!("{}: {}", patch.name, first.hex()),
+                    Some(off) => with_colon(&patch.name, format!("ΔE₀₀ {}", fixed(off, 3))),
+                    None => with_colon(&patch.name, first.hex()),
                 };
                 let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 if off.is_some() {

@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     app::{App, behind_slit, verdicts::Seen},
-    languages::said,
+    languages::{said, with_colon},
 };
 
 /// Height of the strip, points: half of it each.
@@ -122,7 +122,7 @@ pub(super) fn scale(
                 font.clone(),
                 ink,
             );
-            let name = format!("{of}: {}", seen.word().to_lowercase());
+            let name = with_colon(of, seen.word().to_lowercase());
             named_choice(&response, egui::Role::Label, is_now, &name);
             response.on_hover_text(meaning(seen));
         }

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     app::{App, answers::judged, readings::COUNTS, workspace::Preferences},
-    languages::{Language, fixed},
+    languages::{Language, fixed, with_colon},
 };
 
 /// How the drawer stands.
@@ -218,7 +218,7 @@ fn steps(ui: &mut Ui, app: &App, wishes: &mut Vec<Wish>) {
         let button = ui.add_enabled(words.is_some(), Button::new(sign).frame(false));
         named(&button, egui::Role::Button, name);
         let words = words.unwrap_or_else(|| said!("nothing").to_owned());
-        let button = button.on_hover_text(format!("{name}: {words} ({key})"));
+        let button = button.on_hover_text(with_colon(name, format!("{words} ({key})")));
         if button.clicked() {
             wishes.push(Wish::Act(act));
         }

@@ -11,7 +11,7 @@ use crate::{
         studies::AuctionAsk,
     },
     io::many::numbers,
-    languages::{fixed, said},
+    languages::{fixed, said, with_colon},
     study::{
         Auction, FitVariant, Goal, Verdict,
         auction::{Bid, Ended, Purchase, Step},
@@ -300,7 +300,7 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
             lines,
             numbers
         ),
-        false => format!("{waves}, {lines}: {numbers}"),
+        false => with_colon(format!("{waves}, {lines}"), numbers),
     });
     note.push(all_figures(&step.verdict));
     note.push(said!("Click to take this model.").to_owned());

@@ -3,7 +3,7 @@
 use super::{better::Better, purpose::PURPOSES, rule::Which, side::Side};
 use crate::{
     app::{ticks::short, tint::kelvin_words},
-    languages::said,
+    languages::{said, with_colon},
     spectrum::Band,
 };
 
@@ -128,7 +128,7 @@ fn notes(sides: &[Side; 2], shared: Option<Band>) -> Vec<String> {
     }
     for side in sides {
         let of_side = side.figures.notes.iter();
-        notes.extend(of_side.map(|note| format!("{}: {note}.", side.name)));
+        notes.extend(of_side.map(|note| with_colon(&side.name, format!("{note}."))));
     }
     notes.push(
         said!(

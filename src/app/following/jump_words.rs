@@ -41,7 +41,7 @@ pub fn jump_words(jump: &Jump, light: Option<&Sampled>) -> String {
         }
     });
     let words: Vec<String> = words.collect();
-    format!("{}: {}", clock(jump.time_ms), words.join(", "))
+    crate::languages::with_colon(clock(jump.time_ms), words.join(", "))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Which of a file's spectra or images the questions are about.
 
 use super::{Import, questions::Alike};
-use crate::languages::said;
+use crate::languages::{said, with_colon};
 
 /// Which spectra (or images) of a file the questions are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +84,7 @@ impl Import {
             }
         }
         parts.extend((0..alike.len().min(MOST_PARTS)).map(|at| Part {
-            words: format!("{}: {}", self.name_of(at), said(alike[at].kind.word())),
+            words: with_colon(self.name_of(at), said(alike[at].kind.word())),
             about: About::One(at),
             doubtful: alike[at].doubtful,
         }));
@@ -97,7 +97,7 @@ impl Import {
         let at = self.asked_first();
         match (alike.get(at), self.asked_about().len()) {
             (Some(one), 2..) => self.words_of_many(one, self.asked_about().len()),
-            (Some(one), _) => format!("{}: {}", self.name_of(at), said(one.kind.word())),
+            (Some(one), _) => with_colon(self.name_of(at), said(one.kind.word())),
             (None, _) => String::new(),
         }
     }

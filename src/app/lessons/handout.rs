@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     app::{chart::Theme, charts::spectrum::spectrum_chart, pages::Page},
-    languages::{Language, in_language},
+    languages::{Language, in_language, with_colon},
 };
 
 /// Width and height of a drawn plot, px.
@@ -177,7 +177,7 @@ fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<
             let reason = &answer.because;
             let words = match answer.right {
                 true => tr!("{letter}, right: {reason}", letter, reason),
-                false => format!("{letter}: {reason}"),
+                false => with_colon(letter, reason),
             };
             blocks.push(Block::Words(words));
         }

@@ -58,7 +58,7 @@ pub(super) fn words_of<S: PageState>(
         let key = key.map_or("", |(key, _)| key.as_str());
         let name = S::NAMES.iter().find(|(named, _)| *named == key);
         let name = name.map_or_else(|| key.replace('_', " "), |(_, name)| said(name).to_owned());
-        format!("{}: {name}", page.title())
+        crate::languages::with_colon(page.title(), name)
     }))
 }
 

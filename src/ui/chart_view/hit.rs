@@ -126,14 +126,17 @@ pub(super) fn read_out(response: &Response, chart: &Chart, series: &Series, hit:
         None => short(hit.at[0]),
     };
     let mut lines = vec![
-        format!("{}: {x}", or(&chart.x_label, "x")),
-        format!("{}: {}", or(y_label, "y"), short(hit.at[1])),
+        crate::languages::with_colon(or(&chart.x_label, "x"), x),
+        crate::languages::with_colon(or(y_label, "y"), short(hit.at[1])),
     ];
     if let Some(cells) = series.marks.cells() {
         let value = cells
             .value(hit.point)
             .map_or(said!("no value").to_owned(), short);
-        lines.push(format!("{}: {value}", or(&cells.label, said!("value"))));
+        lines.push(crate::languages::with_colon(
+            or(&cells.label, said!("value")),
+            value,
+        ));
     }
     egui::Tooltip::for_widget(response).at_pointer().show(|ui| {
         if !series.name.is_empty() {

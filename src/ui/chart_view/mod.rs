@@ -172,7 +172,7 @@ pub(super) fn draw(
     };
     named(&hands.main, egui::Role::Image, name);
     if let Some((panel, response)) = chart.residual.as_ref().zip(hands.lower.as_ref()) {
-        let name = format!("{name}: {}", panel.y_label);
+        let name = crate::languages::with_colon(name, &panel.y_label);
         named(response, egui::Role::Image, &name);
     }
 

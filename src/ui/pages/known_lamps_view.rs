@@ -138,7 +138,7 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
                 .figures
                 .iter()
                 .map(|figure| Row {
-                    name: format!("{}: {}", figure.title, figure.value),
+                    name: crate::languages::with_colon(figure.title, &figure.value),
                     cells: vec![figure.title.to_owned(), figure.value.clone()],
                     note: figure.meaning.to_owned(),
                     ..Row::default()

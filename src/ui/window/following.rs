@@ -21,7 +21,7 @@ use crate::{
         following::{Asked, FollowAsked, Following, Standing},
         pages::Page,
     },
-    languages::said,
+    languages::{said, with_colon},
 };
 
 /// How often what is said of the last frame's age is said anew.
@@ -190,7 +190,7 @@ impl Window {
                         let more: Vec<&str> = std::iter::once(seen.words.as_str())
                             .chain(seen.warnings.iter().map(String::as_str))
                             .collect();
-                        let words = RichText::new(format!("{}: {}", seen.name, more.join(" ")));
+                        let words = RichText::new(with_colon(&seen.name, more.join(" ")));
                         ui.add(Label::new(words).truncate());
                     });
                 });

@@ -41,7 +41,7 @@ impl Window {
     /// Prints the spectrum, or another page as it is presented, on white.
     pub(super) fn print_page(&mut self, context: &Context) {
         let page = self.preferences.page;
-        let title = format!("{}: {}", page.place().title(), page.title());
+        let title = crate::languages::with_colon(page.place().title(), page.title());
         let printed = match page {
             Page::Spectrum => {
                 let [width, height] = CHART_SIZE;

@@ -152,7 +152,7 @@ impl Bounced {
                     (1, false) => said!("for 1 bounce").to_owned(),
                     (length, false) => tr!("up to {length} bounces", length),
                 };
-                format!("{length_words}: {}", names(*length).join(", "))
+                crate::languages::with_colon(length_words, names(*length).join(", "))
             })
             .collect();
         let lengths = told.join("; ");

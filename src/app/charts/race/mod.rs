@@ -20,7 +20,7 @@ use crate::{
         studies::RaceAsk,
         ticks::short,
     },
-    languages::said,
+    languages::{said, with_colon},
     spectrum::Basis,
     study::{Measure, Race, race::Racer},
 };
@@ -192,7 +192,7 @@ pub fn strip_chart(
         some.map(|(place, (racer, error))| {
             let words = error_words(measure, Some(*error));
             let at = [place as f64, of_measure.drawn(*error)];
-            (at, format!("{}: {words}", said(racer.title())))
+            (at, with_colon(said(racer.title()), words))
         })
         .unzip()
     };

@@ -4,7 +4,7 @@ use super::{spikes_words, waves_words};
 use crate::{
     app::studies::SweepAsk,
     io::many::numbers,
-    languages::{said, with_sign},
+    languages::{said, with_colon, with_sign},
     study::{Measure, Sweep, SweepPoint},
 };
 
@@ -85,7 +85,7 @@ pub fn needs(
     };
     let models = found.into_iter().flatten();
     let mut models: Vec<String> = models
-        .map(|point| format!("{}: {}.", numbers(point.numbers), way_words(point)))
+        .map(|point| with_colon(numbers(point.numbers), way_words(point) + "."))
         .collect();
     models.dedup();
     [sentence, models.join(" ")]

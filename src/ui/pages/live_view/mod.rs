@@ -22,7 +22,7 @@ use crate::{
         live_figures::{Told, Wanted, figures},
     },
     io::many::capitalised,
-    languages::said,
+    languages::{said, with_colon},
     live::{Reference, Shown},
     measurements::{Measurement, Quantity},
     streams::Pace,
@@ -255,7 +255,7 @@ fn sentence(seen: &Seen, told: &[Told]) -> String {
     match (&first[..], shown.of.quantity) {
         (_, Quantity::Counts) => tr!("{name}: counts, not light", name),
         ([], _) => name,
-        (first, _) => format!("{name}: {}", first.join(", ")),
+        (first, _) => with_colon(name, first.join(", ")),
     }
 }
 

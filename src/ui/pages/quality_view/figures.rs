@@ -11,7 +11,7 @@ use crate::{
         CLIENTS_TABLES, GROUPS, IN_GROUP, QualityShown, Tile, Told, chart::Ink,
         quality_report::Row, verdicts::Seen,
     },
-    languages::said,
+    languages::{said, with_colon},
     ui::{
         kit::{Column, Row as TableRow, bounded, cut_words, drawing, headline, scrolled, table},
         lit_field::{self, Field, from_references},
@@ -197,7 +197,8 @@ fn tile(ui: &mut Ui, theme: Theme, tile: &Tile, shown: &QualityShown) {
         }
     }
     let words = tile.sides.iter().zip(&shown.sides);
-    let words = words.map(|(told, side)| format!("{}: {}, {}", side.name, told.told(), told.word));
+    let words =
+        words.map(|(told, side)| with_colon(&side.name, format!("{}, {}", told.told(), told.word)));
     let words: Vec<String> = words.collect();
     response.on_hover_text(format!("{}\n{}", tile.why, words.join("\n")));
 }
@@ -292,7 +293,7 @@ fn read_out(tile: &Tile, shown: &QualityShown) -> String {
         }
     });
     let each: Vec<String> = each.collect();
-    format!("{}: {}", tile.title, each.join("; "))
+    with_colon(tile.title, each.join("; "))
 }
 
 /// Every figure in a table.

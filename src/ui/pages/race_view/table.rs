@@ -6,7 +6,7 @@ use egui::{RichText, Ui};
 use super::{scaled, sideways, solid_bars, starred, winner_bar, with_bar};
 use crate::{
     app::charts::race::{RaceColumn, RaceTable, about, group, name},
-    languages::said,
+    languages::{said, with_colon},
     study::race::Racer,
     ui::{
         kit::{Column, Look, Row, Table},
@@ -185,7 +185,7 @@ fn figures(racer: Racer, columns: &[&RaceColumn], place: usize) -> Row {
         .collect();
     let (starred, looks) = starred(cells());
     Row {
-        name: format!("{}: {}", name(racer), told.join(", ")),
+        name: with_colon(name(racer), told.join(", ")),
         cells: starred,
         tips: cells().map(|cell| cell.tip.clone()).collect(),
         looks,
