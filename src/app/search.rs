@@ -26,6 +26,7 @@ use super::{
     families::Families,
     made::{EVERYDAY_SET, is_made},
 };
+pub use foreign::unaccented;
 use known::Indices;
 use score::{Doc, Score};
 use wanted::{Figure, Wanted};

@@ -306,26 +306,28 @@ fn strange(seed: u64) -> Profile {
     }
 }
 
-#[test]
-fn lamps_of_lines_that_nobody_knows_are_never_found() {
-    let (mut suggested, mut seen) = (0, 0);
-    let mut wrong = Vec::new();
-    for seed in 1..=400 {
+/// Of strange lamps: how many are found, how many suggested, and how many lines they have.
+fn rates_of_strange(seeds: std::ops::RangeInclusive<u64>) -> (Vec<String>, usize, usize) {
+    let (mut wrong, mut suggested, mut seen) = (Vec::new(), 0, 0);
+    for seed in seeds {
         let (answer, peaks) = axis_of(&strange(seed), &Wanted::default());
         seen += peaks.peaks.len();
         suggested += usize::from(answer.state == State::Suggested);
         if let (State::Found, Some(best)) = (answer.state, &answer.best) {
-            let lines = best.matches.len();
-            wrong.push((
-                seed,
-                best.lamp,
-                best.score,
-                answer.margin,
-                lines,
-                peaks.peaks.len(),
+            let (lamp, lines) = (best.lamp, best.matches.len());
+            let (score, margin) = (best.score, answer.margin);
+            let of = peaks.peaks.len();
+            wrong.push(format!(
+                "{seed}: {lamp:?}, score {score:.1}, margin {margin:.1}, {lines} of {of} lines"
             ));
         }
     }
+    (wrong, suggested, seen)
+}
+
+#[test]
+fn lamps_of_lines_that_nobody_knows_are_never_found() {
+    let (wrong, suggested, seen) = rates_of_strange(1..=400);
     assert!(seen > 1000, "{seen} lines");
     assert!(
         wrong.is_empty() && suggested <= 50,
@@ -418,11 +420,29 @@ impl Rates {
         }
     }
 
-    /// The shares that were found, of all lamps and of fluorescent ones, are these at least; none
-    /// is wrong, and of those found 97 of 100 are right within 1 nm.
-    fn reach(&self, all: f64, fluorescent: f64) {
+    /// Both taken together.
+    fn with(mut self, other: Self) -> Self {
+        self.lamps += other.lamps;
+        self.found += other.found;
+        self.right += other.right;
+        for (own, more) in self.fluorescent.iter_mut().zip(other.fluorescent) {
+            *own += more;
+        }
+        self.others += other.others;
+        self.others_suggested += other.others_suggested;
+        self.wrong.extend(other.wrong);
+        for (why, count) in other.missed {
+            *self.missed.entry(why).or_default() += count;
+        }
+        self
+    }
+
+    /// The shares that were found, of all lamps and of fluorescent ones, are these at least; of those
+    /// found 97 of 100 are right within 1 nm, and so small a share is wrong.
+    fn reach(&self, all: f64, fluorescent: f64, most_wrong: f64) {
         println!("{self:#?}");
-        assert!(self.wrong.is_empty(), "{:?}", self.wrong);
+        let wrong = self.wrong.len() as f64;
+        assert!(wrong <= most_wrong * self.found as f64, "{:?}", self.wrong);
         assert!(self.found as f64 >= all * self.lamps as f64, "{self:?}");
         let [found, of] = self.fluorescent.map(|n| n as f64);
         assert!(found >= fluorescent * of, "{self:?}");
@@ -496,19 +516,27 @@ fn rates_of_pictures(seeds: std::ops::Range<u64>) -> Rates {
 // were measured on; of 40 fluorescent lamps a standard deviation is 5 %.
 #[test]
 fn most_lamps_of_drawn_profiles_are_found_and_none_is_wrong() {
-    rates_of_profiles(7001..7201).reach(0.65, 0.75);
+    rates_of_profiles(7001..7201).reach(0.65, 0.8, 0.0);
 }
 
 #[test]
 fn half_of_the_lamps_in_drawn_pictures_are_found_and_none_is_wrong() {
-    rates_of_pictures(7001..7061).reach(0.4, 0.65);
+    rates_of_pictures(7001..7061).reach(0.4, 0.65, 0.0);
 }
 
 #[test]
 #[ignore = "takes minutes: the large sets of drawn profiles and pictures"]
 fn large_sets_are_found_as_often_as_was_asked_for() {
-    rates_of_profiles(20_000..21_000).reach(0.65, 0.8);
-    rates_of_pictures(20_000..20_600).reach(0.45, 0.75);
+    let (strange, ..) = rates_of_strange(1..=3000);
+    println!("of 3000 strange lamps: {strange:#?}");
+    assert!(strange.len() <= 1, "{strange:?}");
+    let profiles = (20_000..70_001)
+        .step_by(10_000)
+        .map(|first| rates_of_profiles(first..first + 1000));
+    let profiles = profiles.fold(Rates::default(), Rates::with);
+    // Five of a thousand that are found may be wrong.
+    profiles.reach(0.65, 0.9, 0.005);
+    rates_of_pictures(20_000..20_600).reach(0.45, 0.75, 0.005);
 }
 
 #[test]

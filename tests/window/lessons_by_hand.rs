@@ -71,11 +71,14 @@ fn done_by_hand(ui: &mut Ui, step: &Step) -> bool {
         (_, Some(name)) if [knobs::ORDER, knobs::LINES, "Centre"].contains(&name) => {
             ui.get_by_role_and_label(Role::Slider, name).focus();
             ui.run();
-            for _ in 0..100 {
-                if is_written(ui, "✔") {
-                    break;
+            // Most tasks move it to the right, some to the left.
+            for key in [Key::ArrowRight, Key::ArrowLeft] {
+                for _ in 0..100 {
+                    if is_written(ui, "✔") {
+                        break;
+                    }
+                    press(ui, key);
                 }
-                press(ui, Key::ArrowRight);
             }
         }
         (Wanted::Chain(_), Some(name)) => click(ui, name),

@@ -113,7 +113,7 @@ impl PrismMemory {
         later!("The angle between the two faces that the light goes through."));
     pub const MINIMUM: Knob<Self> = knob!(minimum_nm: later!("Least deviation for"),
         Reach::Within(SEEN_NM[0], SEEN_NM[1]), 1 " nm",
-        later!("The wavelength that is bent least."));
+        later!("The wavelength that passes at minimum deviation."));
     pub const INCIDENCE: Knob<Self> = knob!(incidence_deg: later!("Light meets it at"),
         Reach::Within(-20.0, 89.0), 1 "\u{b0}",
         later!("Angle between the light and the normal of the first face."));

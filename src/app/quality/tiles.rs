@@ -11,7 +11,7 @@ use crate::{
         tint, verdicts,
     },
     color::quality::NoFigure,
-    languages::{fixed, said},
+    languages::{fixed, said, with_sign},
     measurements::{Doubted, Figure, rounded},
 };
 
@@ -302,8 +302,8 @@ impl Told {
         };
         let (shown, half) = rounded(shown_value(known.figure, &doubt), doubt.half_width_95);
         Self {
-            shown,
-            half: format!("\u{b1} {half}"),
+            shown: with_sign(shown),
+            half: format!("\u{b1} {}", with_sign(half)),
             ..self
         }
     }

@@ -237,8 +237,8 @@ pub(super) fn english_nearly(typed: &str) -> Option<&'static str> {
 /// Fewer letters begin too many words.
 const LEAST: usize = 4;
 
-/// Plain words without accents.
-fn unaccented(text: &str) -> String {
+/// Plain words without accents: what is sorted and searched by.
+pub fn unaccented(text: &str) -> String {
     let plain = plain(text);
     let mut out = String::with_capacity(plain.len());
     for letter in plain.chars() {
@@ -283,6 +283,13 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
+
+    #[test]
+    fn accents_change_no_order_of_words() {
+        let mut words = ["Zacke", "Überlagerung", "Ökologie", "Auge"];
+        words.sort_by_key(|word| unaccented(word));
+        assert_eq!(words, ["Auge", "Ökologie", "Überlagerung", "Zacke"]);
+    }
 
     #[test]
     fn a_word_is_known_with_and_without_its_accents() {

@@ -12,13 +12,13 @@ use crate::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
         charts::coefficients::{CoefficientCharts, Sight},
+        combining::words::with_half,
         half_widths_of_numbers,
         numbers::{figure, percent},
         studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent},
     },
     io::many::numbers,
-    languages::{fixed, said, with_sign},
-    measurements::rounded,
+    languages::{fixed, said},
     spectrum::numbers_of_order,
     study::harmonics::Harmonics,
     ui::{
@@ -325,8 +325,7 @@ fn number(ui: &mut Ui, value: f64, half_width: Option<f64>) {
         ui.label(figure(value));
         return;
     };
-    let (shown, half) = rounded(value, half_width);
-    let words = format!("{} ± {}", with_sign(shown), with_sign(half));
+    let words = with_half(value, Some(half_width));
     let is_noise = value.abs() < half_width;
     let response = if is_noise {
         ui.weak(words)

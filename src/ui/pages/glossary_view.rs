@@ -4,7 +4,10 @@ use eframe::egui;
 use egui::{Align, Label, Layout, RichText, Ui};
 
 use crate::{
-    app::glossary::{WORDS, Word},
+    app::{
+        glossary::{WORDS, Word},
+        search::unaccented,
+    },
     ui::{
         kit::{GROUP, headline, rolled, text_field},
         theme::Theme,
@@ -36,15 +39,15 @@ impl GlossaryView {
         let words = [said!("Search the glossary"), said!("Search words")];
         let width = ui.available_width().min(260.0);
         text_field(ui, &mut self.search, words, width);
-        let wanted = self.search.trim().to_lowercase();
-        let fits = |text: &str| text.to_lowercase().contains(&wanted);
+        let wanted = unaccented(self.search.trim());
+        let fits = |text: &str| wanted.is_empty() || unaccented(text).contains(&wanted);
         ui.add_space(6.0);
         rolled(ui, |ui| {
             let mut found: Vec<&Word> = WORDS
                 .iter()
                 .filter(|w| fits(w.word()) || fits(w.means()))
                 .collect();
-            found.sort_by_key(|word| word.word().to_lowercase());
+            found.sort_by_key(|word| unaccented(word.word()));
             if found.is_empty() {
                 ui.weak(said!("No word has that in it."));
                 return;

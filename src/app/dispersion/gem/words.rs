@@ -48,14 +48,14 @@ pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
     };
     match (&colourful[..], &flat[..], fire) {
         ([], flat, Some(fire)) => tr!(
-            "{gem} bends violet more than red (n differs by {fire}), but {lights} has one colour: \
-             no fire.",
+            "{gem} bends violet more than red (n differs by {fire}), but there is no fire \
+             under {lights}: a single colour.",
             gem,
             fire,
             lights = names(flat)
         ),
         ([], flat, None) => tr!(
-            "{gem}, but {lights} has one colour: no fire.",
+            "{gem}, but there is no fire under {lights}: a single colour.",
             gem,
             lights = names(flat)
         ),
@@ -72,14 +72,14 @@ pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
         ),
         (colourful, flat, Some(fire)) => tr!(
             "{gem} bends violet more than red (n differs by {fire}): it splits {lights} into \
-             fire, but not {others}, which has one colour.",
+             fire, but not {others}: a single colour.",
             gem,
             fire,
             lights = names(colourful),
             others = names(flat)
         ),
         (colourful, flat, None) => tr!(
-            "{gem}: it splits {lights} into fire, but not {others}, which has one colour.",
+            "{gem}: it splits {lights} into fire, but not {others}: a single colour.",
             gem,
             lights = names(colourful),
             others = names(flat)

@@ -108,8 +108,8 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
         form.rest(|ui| {
             ui.checkbox(&mut memory.at_minimum, said(names::MINIMUM))
                 .on_hover_text(said!(
-                    "The light meets the prism so that one wavelength is bent least, as one sets a \
-                     spectroscope; else at an angle of your choice. Drag the drawing to turn it."
+                    "The light meets the prism so that one wavelength passes at minimum deviation, as \
+                     one sets a spectroscope; else at an angle of your choice. Drag the drawing to turn it."
                 ))
         });
         if memory.at_minimum {
@@ -119,7 +119,7 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
             form.slider(
                 (
                     said(names::GREEN),
-                    said!("The wavelength that is bent least."),
+                    said!("The wavelength that passes at minimum deviation."),
                 ),
                 of,
             );
