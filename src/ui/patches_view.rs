@@ -19,7 +19,7 @@ use crate::{
         verdicts::Seen,
     },
     color::Swatch,
-    languages::{fixed, with_colon},
+    languages::{fixed, translated, with_colon},
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -223,10 +223,10 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
                 let [first, second] = patch.halves;
-                let off = patch.delta_e_2000;
+                let (off, called) = (patch.delta_e_2000, translated(patch.name));
                 let name = match off {
-                    Some(off) => with_colon(&patch.name, format!("ΔE₀₀ {}", fixed(off, 3))),
-                    None => with_colon(&patch.name, first.hex()),
+                    Some(off) => with_colon(called, format!("ΔE₀₀ {}", fixed(off, 3))),
+                    None => with_colon(called, first.hex()),
                 };
                 let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 if off.is_some() {
@@ -250,8 +250,8 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                     continue;
                 };
                 let surface = match is_worst {
-                    true => tr!("{surface} (the worst)", surface = patch.name),
-                    false => patch.name.to_owned(),
+                    true => tr!("{surface} (the worst)", surface = called),
+                    false => called.to_owned(),
                 };
                 response.on_hover_text(tr!(
                     "{surface}: ΔE₀₀ {difference}, {seen}\nLeft under {left} {left_hex}, right \

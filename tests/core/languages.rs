@@ -142,6 +142,14 @@ fn texts() -> Vec<Text> {
         all.retain(|(_, text, _)| !text.contains('/'));
         found.extend(all);
     }
+    // Of the first screen's chart the names of the surfaces.
+    let chart = fs::read_to_string(root().join("presets/colorchecker_ohta.json"));
+    let chart: serde_json::Value = serde_json::from_str(&chart.expect("a preset")).expect("JSON");
+    let items = chart["items"].as_array().expect("surfaces").iter();
+    found.extend(items.map(|item| {
+        let name = item["name"].as_str().expect("a name");
+        (None, name.to_owned(), None)
+    }));
     let mut seen = BTreeSet::new();
     found.retain(|text| !text.1.trim().is_empty() && seen.insert(text.clone()));
     found

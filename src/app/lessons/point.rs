@@ -3,7 +3,10 @@
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use crate::app::{App, pages::Page};
+use crate::{
+    app::{App, pages::Page},
+    languages::{translated, with_colon},
+};
 
 /// Place of a ring, under its key in the file.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -83,7 +86,7 @@ impl Point {
         let patches = app.derived().patches.iter().flat_map(|p| &p.items);
         let patch = number.checked_sub(1).and_then(|i| patches.clone().nth(i));
         patch
-            .map(|patch| Aim::Named(format!("{}: ", patch.name)))
+            .map(|patch| Aim::Named(with_colon(translated(&patch.name), "")))
             .ok_or_else(|| {
                 format!(
                     "found the patch {number} in point, expected 1 to {}",
