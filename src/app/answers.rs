@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
-    languages::{fixed, signed, translated},
+    languages::{fixed, signed},
     spectrum::{Basis, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
@@ -37,7 +37,7 @@ impl Worst {
         let of_patch = patch.map(|patch| patch.delta_e_2000);
         Some(Self {
             delta_e_2000: of_patch.or(derived.colour.delta_e_2000)?,
-            patch: patch.map(|patch| translated(&patch.name).to_owned()),
+            patch: patch.map(|patch| app.document().patch_called(&patch.name).to_owned()),
         })
     }
 }

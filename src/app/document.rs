@@ -214,6 +214,14 @@ impl Document {
         all.filter(|entry| entry.kind().is_factor())
     }
 
+    /// What a surface behind the patches is called on screen: one's own as its file has it.
+    pub fn patch_called<'n>(&self, name: &'n str) -> &'n str {
+        match self.patches_of_own().any(|own| own.name() == name) {
+            true => name,
+            false => crate::languages::translated(name),
+        }
+    }
+
     /// A fresh document about a light.
     pub fn about(light: Arc<Entry>) -> Self {
         Self {

@@ -107,7 +107,7 @@ pub use line_names::{LineName, spike_under};
 pub use lit::Lit;
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
-pub use noise_begins::{NoiseBegins, half_widths_of_numbers, last_order_in};
+pub use noise_begins::{NoiseBegins, half_widths_of_numbers, last_order_in, last_order_of};
 pub use opened::{ImageEntry, Opened};
 pub use pair::{Pair, under_favourites};
 pub use quality::{

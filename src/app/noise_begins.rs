@@ -2,8 +2,10 @@
 
 use super::{document::Document, settings::Settings};
 use crate::{
-    measurements::{MOST_ORDER, OF_95, doubts_of_numbers, lines_of_the_noise, order_of_the_noise},
-    spectrum::{Basis, SpikeSettings},
+    measurements::{
+        MOST_ORDER, Measurement, OF_95, doubts_of_numbers, lines_of_the_noise, order_of_the_noise,
+    },
+    spectrum::{Band, Basis, SpikeSettings},
 };
 
 /// A threshold is so much above the share of a line that it keeps out.
@@ -13,10 +15,13 @@ const ABOVE: f64 = 1.02;
 /// known, or none is drawn.
 pub fn last_order_in(document: &Document, basis: Basis) -> Option<usize> {
     let of = document.subject_entry().measured.as_deref()?;
-    if !document.is_about_light() {
-        return None;
-    }
-    let order = order_of_the_noise(of, document.settings.band, basis);
+    let of = Some(of).filter(|_| document.is_about_light())?;
+    last_order_of(of, document.settings.band, basis)
+}
+
+/// The same of a light itself.
+pub fn last_order_of(of: &Measurement, band: Band, basis: Basis) -> Option<usize> {
+    let order = order_of_the_noise(of, band, basis);
     order.filter(|order| *order < MOST_ORDER)
 }
 
@@ -78,7 +83,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{App, Command, Entry, measured::spectrum},
-        measurements::{Measurement, Quantity, Repeats, normal},
+        measurements::{Quantity, Repeats, normal},
         spectrum::Sampled,
     };
 

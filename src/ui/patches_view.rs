@@ -19,7 +19,7 @@ use crate::{
         verdicts::Seen,
     },
     color::Swatch,
-    languages::{fixed, translated, with_colon},
+    languages::{fixed, with_colon},
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -223,7 +223,7 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
                 let [first, second] = patch.halves;
-                let (off, called) = (patch.delta_e_2000, translated(patch.name));
+                let (off, called) = (patch.delta_e_2000, app.document().patch_called(patch.name));
                 let name = match off {
                     Some(off) => with_colon(called, format!("ΔE₀₀ {}", fixed(off, 3))),
                     None => with_colon(called, first.hex()),

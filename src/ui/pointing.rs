@@ -280,6 +280,25 @@ fn beside(ring: Rect, size: egui::Vec2, (screen, busy): (Rect, &[Rect])) -> egui
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::languages::{Language, in_language};
+
+    #[test]
+    fn what_lessons_point_at_is_known_in_every_language() {
+        // Charts have one name everywhere.
+        const SAME: [&str; 2] = ["Straightened strip", "Profile of the strip"];
+        for lesson in crate::app::lessons::shelf::shipped() {
+            let points = lesson.steps.iter().filter_map(|step| step.point.as_ref());
+            for control in points.filter_map(|point| point.control()) {
+                let words = in_language(Language::German, || spoken(control));
+                let is_spoken = words.iter().any(|words| words != control);
+                assert!(
+                    is_spoken || SAME.contains(&control),
+                    "{}: {control}",
+                    lesson.name
+                );
+            }
+        }
+    }
 
     #[test]
     fn words_beside_a_ring_cover_nothing_where_there_is_room() {

@@ -71,9 +71,9 @@ fn done_by_hand(ui: &mut Ui, step: &Step) -> bool {
         (_, Some(name)) if [knobs::ORDER, knobs::LINES, "Centre"].contains(&name) => {
             ui.get_by_role_and_label(Role::Slider, name).focus();
             ui.run();
-            // Most tasks move it to the right, some to the left.
-            for key in [Key::ArrowRight, Key::ArrowLeft] {
-                for _ in 0..100 {
+            // Most tasks move it to the right, some from there to the left.
+            for (key, most) in [(Key::ArrowRight, 100), (Key::ArrowLeft, 300)] {
+                for _ in 0..most {
                     if is_written(ui, "✔") {
                         break;
                     }

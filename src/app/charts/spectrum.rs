@@ -152,7 +152,8 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
-        let name = tr!("off {product}", product = product.name);
+        let name = app.document().patch_called(&product.name);
+        let name = tr!("off {product}", product = name);
         series.push(Series::line(&name, Ink::Product, exact));
         let name = tr!("{name}, by the model", name);
         series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));

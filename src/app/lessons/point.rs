@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use crate::{
     app::{App, pages::Page},
-    languages::{translated, with_colon},
+    languages::with_colon,
 };
 
 /// Place of a ring, under its key in the file.
@@ -86,7 +86,7 @@ impl Point {
         let patches = app.derived().patches.iter().flat_map(|p| &p.items);
         let patch = number.checked_sub(1).and_then(|i| patches.clone().nth(i));
         patch
-            .map(|patch| Aim::Named(with_colon(translated(&patch.name), "")))
+            .map(|patch| Aim::Named(with_colon(app.document().patch_called(&patch.name), "")))
             .ok_or_else(|| {
                 format!(
                     "found the patch {number} in point, expected 1 to {}",
@@ -107,7 +107,10 @@ impl Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::assert_says;
+    use crate::{
+        app::assert_says,
+        languages::{Language, in_language},
+    };
 
     #[test]
     fn a_point_is_at_one_thing_that_is_there() {
@@ -120,6 +123,8 @@ mod tests {
         assert_eq!(control.aim(&app, page), Ok(Aim::Named("Reset".to_owned())));
         assert_eq!(line.aim(&app, page), Ok(Aim::Nm(546.1)));
         assert_eq!(patch.aim(&app, page), Ok(Aim::Named("red: ".to_owned())));
+        let french = in_language(Language::French, || patch.aim(&app, page));
+        assert_eq!(french, Ok(Aim::Named("rouge\u{a0}: ".to_owned())));
         for (wrong, words) in [
             (
                 serde_json::json!({"label": "Here"}),

@@ -28,7 +28,10 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(title).truncate());
         if let Some(product) = app.product() {
-            let words = tr!("off {product}", product = product.name);
+            let words = tr!(
+                "off {product}",
+                product = app.document().patch_called(&product.name)
+            );
             ui.add(Label::new(words).truncate());
         }
     };

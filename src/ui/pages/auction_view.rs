@@ -20,7 +20,7 @@ use crate::{
             },
             tradeoff::{self, all_figures, lack},
         },
-        last_order_in,
+        last_order_of,
         pages::SPENDABLE,
         studies::{About, AuctionAsk, Stage, take},
     },
@@ -104,10 +104,15 @@ impl AuctionView {
 impl Sheet {
     fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>) -> Self {
         let names = names(&ask, &auction, app.element_lines());
-        let document = app.document();
-        let is_own = ask == AuctionAsk::of(document, ask.terms.goal, ask.terms.numbers);
-        let last = is_own.then(|| last_order_in(document, document.settings.basis));
-        let told = (ask.terms.goal, last.flatten());
+        let About {
+            subject,
+            under,
+            band,
+            ..
+        } = &ask.about;
+        let of = subject.0.measured.as_deref().filter(|_| under.is_none());
+        let last = of.and_then(|of| last_order_of(of, *band, ask.terms.basis));
+        let told = (ask.terms.goal, last);
         let rows = (0..auction.steps.len())
             .map(|i| row(&auction, i, told, &names))
             .collect();
