@@ -290,7 +290,8 @@ mod tests {
             let points = lesson.steps.iter().filter_map(|step| step.point.as_ref());
             for control in points.filter_map(|point| point.control()) {
                 let words = in_language(Language::German, || spoken(control));
-                let is_spoken = words.iter().any(|words| words != control);
+                // A name with something filled in, or one that is another word.
+                let is_spoken = words.len() > 2 || words[1] != control;
                 assert!(
                     is_spoken || SAME.contains(&control),
                     "{}: {control}",
