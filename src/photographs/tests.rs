@@ -326,13 +326,11 @@ fn rates_of_strange(seeds: std::ops::RangeInclusive<u64>) -> (Vec<String>, usize
 }
 
 #[test]
-fn lamps_of_lines_that_nobody_knows_are_hardly_ever_found() {
+fn lamps_of_lines_that_nobody_knows_are_never_found() {
     let (wrong, suggested, seen) = rates_of_strange(1..=400);
     assert!(seen > 1000, "{seen} lines");
-    // Of 3,000 two are, one of them here: 6 of its 7 lines stand where a fluorescent lamp's do. A
-    // rule that leaves it out finds 88 of 100 fluorescent lamps, and 90 are asked for.
     assert!(
-        wrong.len() <= 1 && suggested <= 50,
+        wrong.is_empty() && suggested <= 50,
         "{wrong:?}, {suggested} suggested"
     );
 }
@@ -531,7 +529,7 @@ fn half_of_the_lamps_in_drawn_pictures_are_found_and_none_is_wrong() {
 fn large_sets_are_found_as_often_as_was_asked_for() {
     let (strange, ..) = rates_of_strange(1..=3000);
     println!("of 3000 strange lamps: {strange:#?}");
-    assert!(strange.len() <= 2, "{strange:?}");
+    assert!(strange.len() <= 1, "{strange:?}");
     let profiles = (20_000..70_001)
         .step_by(10_000)
         .map(|first| rates_of_profiles(first..first + 1000));

@@ -68,6 +68,9 @@ const BEYOND_NM: f64 = 25.0;
 const GAP_NM: f64 = 90.0;
 /// A single peak of this height is a line and no bump of smooth light.
 const ALONE: f64 = 0.5;
+/// The strongest lines of fluorescent lamps, nm: of mercury, terbium and europium (`landmarks.json`).
+const STRONGEST_NM: [f64; 3] = [435.8, 543.9, 611.3];
+const STRONGEST_OFF_NM: f64 = 3.0;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
@@ -314,11 +317,35 @@ impl Judged<'_> {
 
     fn least_odds(&self) -> f64 {
         match self.solution.lamp {
-            // The commonest by far: 90 of 100 drawn ones are found by this, 86 by .5, and none more
-            // of them is wrong.
-            Lamp::Fluorescent => -1.0,
+            // The commonest by far. Where its strongest lines are the strongest here, too, few more
+            // are needed.
+            Lamp::Fluorescent if self.has_its_strongest() => -1.0,
+            Lamp::Fluorescent => 0.5,
             _ => 1.0,
         }
+    }
+
+    /// The two highest peaks are two of a fluorescent lamp's three strongest lines.
+    fn has_its_strongest(&self) -> bool {
+        let mut matches: Vec<_> = self.solution.matches.iter().collect();
+        let height = |m: &super::refine::Match| self.peaks.peaks[m.peak].height;
+        matches.sort_by(|a, b| height(b).total_cmp(&height(a)));
+        let nm = |m: &super::refine::Match| self.solution.curve.nm(self.peaks.peaks[m.peak].px);
+        let is_strong = |at: f64| {
+            STRONGEST_NM
+                .iter()
+                .any(|nm| (nm - at).abs() <= STRONGEST_OFF_NM)
+        };
+        let highest = self
+            .peaks
+            .peaks
+            .iter()
+            .map(|peak| peak.height)
+            .fold(0.0, f64::max);
+        matches
+            .first()
+            .is_some_and(|first| height(first) >= highest)
+            && matches.iter().take(2).all(|m| is_strong(nm(m)))
     }
 
     fn least_margin(&self, is_grey: bool) -> f64 {
