@@ -18,6 +18,15 @@ pub(super) enum Degree {
     Cubic,
 }
 
+/// Deviation of a curve from a point that it was fitted without.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftOut {
+    /// Wavelength of the curve less that of the point.
+    pub error_nm: f64,
+    /// Its standard deviation: of the curve there, and of the point.
+    pub sigma_nm: f64,
+}
+
 /// `nm = c0 + c1 x + c2 x^2 + c3 x^3`, `x = (px - centre) / scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
@@ -134,7 +143,7 @@ impl Curve {
         columns: usize,
         slope: f64,
         degree: Degree,
-    ) -> Option<(Self, Vec<f64>)> {
+    ) -> Option<(Self, Vec<LeftOut>)> {
         let mut curve = Self::new(columns, [0.0; 4]);
         if points.len() < 2 {
             return None;
@@ -167,9 +176,13 @@ impl Curve {
         let left_out = |point: &Point| {
             let powers = powers(point.px);
             let own = powers.dot(&(inverse * powers)) * point.sigma_nm.powi(-2);
-            (point.nm - powers.dot(&c)) / (1.0 - own).max(1e-9)
+            let others = (1.0 - own).max(1e-9);
+            LeftOut {
+                error_nm: (powers.dot(&c) - point.nm) / others,
+                sigma_nm: point.sigma_nm / others.sqrt(),
+            }
         };
-        let left_out: Vec<f64> = points.iter().map(left_out).collect();
+        let left_out: Vec<LeftOut> = points.iter().map(left_out).collect();
         let off = |p: &Point| ((p.nm - powers(p.px).dot(&c)) / p.sigma_nm).powi(2);
         let chi2: f64 = points.iter().map(off).sum();
         let scatter = (chi2 / (points.len() as f64 - 2.0).max(1.0)).max(1.0);
@@ -207,7 +220,10 @@ mod tests {
             assert!((found.nm(px) - truth.nm(px)).abs() < 0.1, "{px}");
             assert!(found.sigma(px) > 0.1 && found.sigma(px) < 3.0);
         }
-        assert!(left_out.iter().all(|off| off.abs() < 0.3), "{left_out:?}");
+        assert!(
+            left_out.iter().all(|off| off.error_nm.abs() < 0.3),
+            "{left_out:?}"
+        );
         let px = found.px(500.0, 0.0, 599.0).expect("inside");
         assert!((found.nm(px) - 500.0).abs() < 1e-6);
         assert_eq!(found.px(900.0, 0.0, 599.0), None);
@@ -221,7 +237,7 @@ mod tests {
         let (_, left_out) = Curve::fit(&points, 600, 320.0, Degree::Quadratic).expect("a curve");
         let (without, _) =
             Curve::fit(&points[..4], 600, 320.0, Degree::Quadratic).expect("a curve");
-        assert!((points[4].nm - without.nm(560.0) - left_out[4]).abs() < 1e-6);
+        assert!((without.nm(560.0) - points[4].nm - left_out[4].error_nm).abs() < 1e-6);
     }
 
     #[test]

@@ -5,13 +5,14 @@
 //! the one fault that is not allowed.
 
 mod curve;
+mod ends;
 mod odds;
 mod pins;
 mod refine;
 mod search;
 mod verdict;
 
-pub use curve::Curve;
+pub use curve::{Curve, LeftOut};
 pub use pins::{Pin, PinError, snapped, through_pins, with_line_at};
 pub use refine::{Match, Solution};
 pub use verdict::{Answer, State, Wanted, find};

@@ -4,7 +4,7 @@
 use super::{
     super::landmarks::{Lamp, Landmark, Table},
     Scene,
-    curve::{Curve, Degree, Point},
+    curve::{Curve, Degree, LeftOut, Point},
     search::Hypothesis,
 };
 
@@ -16,8 +16,8 @@ pub struct Match {
     pub landmark: Landmark,
     /// Deviation of the curve from the landmark there.
     pub error_nm: f64,
-    /// The same by a curve that was fitted without this line.
-    pub left_out_nm: f64,
+    /// The same of a curve that was fitted without this line.
+    pub left_out: LeftOut,
     /// The doubt of both places.
     pub sigma_nm: f64,
 }
@@ -38,6 +38,8 @@ pub struct Solution {
 /// Doubt of places in nm, round after round; the last is what any axis is off by.
 const TOLERANCES_NM: [f64; 6] = [1.5, 1.2, 0.9, 0.7, 0.5, 0.35];
 const LAST_NM: f64 = 0.2;
+/// Standard deviations by which the other lines may miss the place of an outermost one.
+const SIGMAS: f64 = 2.5;
 /// Cost of an axis relative to no axis at all.
 const COST: f64 = 5.4;
 /// Standard deviation squared of curvatures, as the score has it.
@@ -65,21 +67,23 @@ impl Solution {
 
     /// Root mean square of what the lines are off by, weighted by their doubt.
     pub fn rms_nm(&self) -> f64 {
-        self.weighted(|m| m.error_nm)
+        weighted(self.matches.iter().map(|m| (m.error_nm, m.sigma_nm)))
     }
 
-    /// The same with each line left out of the fit.
+    /// The same with each line left out of the fit: the doubt is then also the curve's.
     pub fn left_out_rms_nm(&self) -> f64 {
-        self.weighted(|m| m.left_out_nm)
+        let left_out = self.matches.iter().map(|m| m.left_out);
+        weighted(left_out.map(|l| (l.error_nm, l.sigma_nm)))
     }
+}
 
-    fn weighted(&self, off: impl Fn(&Match) -> f64) -> f64 {
-        let sums = self.matches.iter().fold((0.0, 0.0), |(sum, weights), m| {
-            let weight = m.sigma_nm.powi(-2);
-            (sum + weight * off(m).powi(2), weights + weight)
-        });
-        (sums.0 / sums.1.max(f64::MIN_POSITIVE)).sqrt()
-    }
+/// Root mean square of errors, weighted by their doubt.
+fn weighted(errors: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let sums = errors.fold((0.0, 0.0), |(sum, weights), (error, sigma)| {
+        let weight = sigma.powi(-2);
+        (sum + weight * error.powi(2), weights + weight)
+    });
+    (sums.0 / sums.1.max(f64::MIN_POSITIVE)).sqrt()
 }
 
 /// A lamp's table for lines of a width.
@@ -94,18 +98,31 @@ pub(super) fn table_for(lamp: Lamp, width_nm: f64) -> &'static Table {
 /// Refines an axis; `None` where too few lines are left.
 pub(super) fn refine(scene: &Scene, start: &Hypothesis) -> Option<Solution> {
     let slope = start.b;
-    let mut curve = Curve::new(
+    let curve = Curve::new(
         scene.columns,
         [start.a, slope, 0.5 * slope * start.rho, 0.0],
     );
-    let lamp = start.lamp;
+    in_rounds(scene, start.lamp, curve, &TOLERANCES_NM)
+}
+
+/// Refines an axis that is near to the truth already.
+pub(super) fn again(scene: &Scene, lamp: Lamp, curve: Curve) -> Option<Solution> {
+    in_rounds(scene, lamp, curve, &TOLERANCES_NM[3..])
+}
+
+fn in_rounds(
+    scene: &Scene,
+    lamp: Lamp,
+    mut curve: Curve,
+    tolerances_nm: &[f64],
+) -> Option<Solution> {
     let table = |curve: &Curve| table_for(lamp, scene.width_nm(curve));
     let mut marks = table(&curve);
-    for (round, tolerance) in TOLERANCES_NM.into_iter().enumerate() {
+    for (round, tolerance) in tolerances_nm.iter().enumerate() {
         if round == 3 {
             marks = table(&curve);
         }
-        let (pairs, _) = assign(scene, &curve, &marks.landmarks, tolerance, &[]);
+        let (pairs, _) = assign(scene, &curve, &marks.landmarks, *tolerance, &[]);
         let points = points(scene, &curve, &marks.landmarks, &pairs);
         let (better, _) = Curve::fit(&points, scene.columns, curve.c[1], Degree::Quadratic)?;
         if !better.is_monotone() {
@@ -140,7 +157,7 @@ fn settle(scene: &Scene, lamp: Lamp, mut curve: Curve, landmarks: &[Landmark]) -
                 peak: pair.0,
                 landmark: landmarks[pair.1],
                 error_nm: curve.nm(point.px) - point.nm,
-                left_out_nm: -left_out,
+                left_out: *left_out,
                 sigma_nm: point.sigma_nm,
             })
             .collect();
@@ -161,12 +178,13 @@ fn settle(scene: &Scene, lamp: Lamp, mut curve: Curve, landmarks: &[Landmark]) -
     })
 }
 
-/// An outermost line that is far off when it is left out: it has all the leverage.
+/// An outermost line that is far off when it is left out, beyond the doubt of that: it has all the
+/// leverage.
 fn lonely_end(
     scene: &Scene,
     curve: &Curve,
     points: &[Point],
-    left_out: &[f64],
+    left_out: &[LeftOut],
     pairs: &[(usize, usize)],
 ) -> Option<(usize, usize)> {
     if points.len() < 5 {
@@ -175,7 +193,7 @@ fn lonely_end(
     let last = points.len() - 1;
     let excess = |i: usize| {
         let fwhm = scene.peaks.peaks[pairs[i].0].fwhm_px * curve.slope(points[i].px).abs();
-        left_out[i].abs() / (1.2 + 0.25 * fwhm).max(2.5 * points[i].sigma_nm)
+        left_out[i].error_nm.abs() / (1.2 + 0.25 * fwhm).max(SIGMAS * left_out[i].sigma_nm)
     };
     let worst = if excess(0) > excess(last) { 0 } else { last };
     (excess(worst) > 1.0).then(|| pairs[worst])

@@ -7,9 +7,9 @@ use super::{
         landmarks::Lamp,
         peaks::{Peak, Peaks},
     },
-    Scene, odds,
+    Scene, ends, odds,
     pins::Pin,
-    refine::{Solution, refine},
+    refine::{Match, Solution, refine},
     search,
 };
 
@@ -53,6 +53,8 @@ pub struct Answer {
 const NO_OTHER: f64 = -5.0;
 /// Least lead of a suggested axis over the next.
 const LEAST_LEAD: f64 = 1.0;
+/// Least log-odds of an axis that is used at once.
+const LEAST_ODDS: f64 = 1.0;
 /// Least log-odds of a suggested axis of more than three lines.
 const SUGGESTED_ODDS: f64 = -3.0;
 /// Axes that are nowhere farther apart than this are one, nm.
@@ -68,31 +70,18 @@ const BEYOND_NM: f64 = 25.0;
 const GAP_NM: f64 = 90.0;
 /// A single peak of this height is a line and no bump of smooth light.
 const ALONE: f64 = 0.5;
-/// The strongest lines of fluorescent lamps, nm: of mercury, terbium and europium (`landmarks.json`).
-const STRONGEST_NM: [f64; 3] = [435.8, 543.9, 611.3];
-const STRONGEST_OFF_NM: f64 = 3.0;
+/// Cameras see next to nothing below this wavelength, nm.
+const VIOLET_NM: f64 = 412.0;
+/// Largest height there, as a multiple of what the lamp's line has; lines beside the violet that
+/// were taken for it have six to eight times as much.
+const MOST_VIOLET: f64 = 5.0;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
 /// Looks for the axis: `bright` lines for lamps, `dark` ones for daylight.
 pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wanted) -> Answer {
-    let mut all = Vec::new();
-    if columns >= LEAST_COLUMNS {
-        let lamps = Lamp::ALL.into_iter();
-        for lamp in lamps.filter(|lamp| wanted.lamp.is_none_or(|named| named == *lamp)) {
-            let peaks = if lamp.is_dark() { dark } else { Some(bright) };
-            let Some(peaks) = peaks.filter(|p| p.peaks.len() > 2) else {
-                continue;
-            };
-            let scene = scene(columns, peaks, wanted);
-            let axes = search::of_lamp(&scene, lamp);
-            let refined = axes.iter().filter_map(|one| refine(&scene, one));
-            all.extend(
-                refined.filter(|s| s.matches.len() > 2 && scene.is_kept(|px| s.curve.nm(px))),
-            );
-        }
-    }
-    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    let of_lamp = |lamp: Lamp| if lamp.is_dark() { dark } else { Some(bright) };
+    let all = axes(columns, of_lamp, wanted);
     let Some(best) = all.first().cloned() else {
         return Answer {
             state: State::Nothing,
@@ -102,11 +91,7 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
             why: Some(no_axis(columns, bright)),
         };
     };
-    let peaks = if best.lamp.is_dark() {
-        dark.unwrap_or(bright)
-    } else {
-        bright
-    };
+    let peaks = of_lamp(best.lamp).unwrap_or(bright);
     let runner_up = all.into_iter().find(|other| differs(&best, other, peaks));
     let margin = best.score - runner_up.as_ref().map_or(NO_OTHER, |other| other.score);
     let judged = Judged {
@@ -124,6 +109,42 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
         margin,
         why,
     }
+}
+
+/// Axes through the lines of a lamp, the likeliest first.
+fn axes<'p>(
+    columns: usize,
+    of_lamp: impl Fn(Lamp) -> Option<&'p Peaks>,
+    wanted: &Wanted,
+) -> Vec<Solution> {
+    let scene_of = |lamp| {
+        let peaks = of_lamp(lamp).filter(|p| p.peaks.len() > 2)?;
+        (columns >= LEAST_COLUMNS).then(|| scene(columns, peaks, wanted))
+    };
+    let counts = |scene: &Scene, axis: &Solution| {
+        axis.matches.len() > 2 && scene.is_kept(|px| axis.curve.nm(px))
+    };
+    let mut all = Vec::new();
+    let lamps = Lamp::ALL.into_iter();
+    for lamp in lamps.filter(|lamp| wanted.lamp.is_none_or(|named| named == *lamp)) {
+        let Some(scene) = scene_of(lamp) else {
+            continue;
+        };
+        let starts = search::of_lamp(&scene, lamp);
+        let refined = starts.iter().filter_map(|one| refine(&scene, one));
+        all.extend(refined.filter(|axis| counts(&scene, axis)));
+    }
+    // The best is held against its like with other lines at an end, and so is what beats it.
+    for _ in 0..2 {
+        all.sort_by(|a, b| b.score.total_cmp(&a.score));
+        let Some(best) = all.first() else { break };
+        if let Some(scene) = scene_of(best.lamp) {
+            let others = ends::others(&scene, best).into_iter();
+            all.extend(others.filter(|axis| counts(&scene, axis)));
+        }
+    }
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    all
 }
 
 fn scene<'p>(columns: usize, peaks: &'p Peaks, wanted: &Wanted) -> Scene<'p> {
@@ -226,7 +247,7 @@ impl Judged<'_> {
                 least = with_sign(least.to_string())
             ));
         }
-        if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < self.least_odds() {
+        if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < LEAST_ODDS {
             return Some(tr!(
                 "the {lines} lines may fit {name} by chance: set one pin, or name the lamp",
                 lines,
@@ -253,7 +274,13 @@ impl Judged<'_> {
                 name
             ));
         }
-        if !self.is_named && self.solution.lamp.crowds() && self.has_lonely_group() {
+        if let Some(nm) = self.bright_violet() {
+            return Some(tr!(
+                "the line at {nm} nm is too bright for the violet, where cameras see little",
+                nm = fixed(nm, 0)
+            ));
+        }
+        if !self.is_named && self.has_lonely_group() {
             return Some(tr!(
                 "a gap of more than {gap} nm is left open, and few lines stand beyond it",
                 gap = fixed(GAP_NM, 0)
@@ -315,44 +342,11 @@ impl Judged<'_> {
         odds::log_odds(self.solution, self.peaks)
     }
 
-    fn least_odds(&self) -> f64 {
-        match self.solution.lamp {
-            // The commonest by far. Where its strongest lines are the strongest here, too, few more
-            // are needed.
-            Lamp::Fluorescent if self.has_its_strongest() => -1.0,
-            Lamp::Fluorescent => 0.5,
-            _ => 1.0,
-        }
-    }
-
-    /// The two highest peaks are two of a fluorescent lamp's three strongest lines.
-    fn has_its_strongest(&self) -> bool {
-        let mut matches: Vec<_> = self.solution.matches.iter().collect();
-        let height = |m: &super::refine::Match| self.peaks.peaks[m.peak].height;
-        matches.sort_by(|a, b| height(b).total_cmp(&height(a)));
-        let nm = |m: &super::refine::Match| self.solution.curve.nm(self.peaks.peaks[m.peak].px);
-        let is_strong = |at: f64| {
-            STRONGEST_NM
-                .iter()
-                .any(|nm| (nm - at).abs() <= STRONGEST_OFF_NM)
-        };
-        let highest = self
-            .peaks
-            .peaks
-            .iter()
-            .map(|peak| peak.height)
-            .fold(0.0, f64::max);
-        matches
-            .first()
-            .is_some_and(|first| height(first) >= highest)
-            && matches.iter().take(2).all(|m| is_strong(nm(m)))
-    }
-
     fn least_margin(&self, is_grey: bool) -> f64 {
         match () {
             () if self.is_pinned => 0.0,
             () if self.is_named && self.solution.lamp.is_dark() => 8.0,
-            () if self.is_named => 5.0,
+            () if self.is_named => 4.0,
             () if is_grey => 9.0,
             () => self.solution.lamp.least_margin(),
         }
@@ -360,7 +354,7 @@ impl Judged<'_> {
 
     /// The most that lines may be off by when left out, nm.
     fn most_left_out(&self) -> f64 {
-        let peak = |m: &super::refine::Match| self.peaks.peaks[m.peak];
+        let peak = |m: &Match| self.peaks.peaks[m.peak];
         let curve = &self.solution.curve;
         let width = |p: Peak| p.fwhm_px * curve.slope(p.px).abs();
         let widths: Vec<f64> = self
@@ -414,12 +408,24 @@ impl Judged<'_> {
         })
     }
 
-    /// A group of fewer than three lines stands apart at an end: it may be slipped by one.
+    /// The wavelength of a line in the violet, where cameras see next to nothing, that is much
+    /// brighter than the lamp's.
+    fn bright_violet(&self) -> Option<f64> {
+        let mut violet = (self.solution.matches.iter()).filter(|m| m.landmark.nm < VIOLET_NM);
+        let height = |m: &Match| self.peaks.peaks[m.peak].height;
+        let found = violet.find(|m| height(m) > MOST_VIOLET * m.landmark.strength);
+        found
+            .filter(|_| !self.solution.lamp.is_dark())
+            .map(|m| m.landmark.nm)
+    }
+
+    /// A line stands apart at an end, or two where a group may be slipped by one.
     fn has_lonely_group(&self) -> bool {
+        let least = if self.solution.lamp.crowds() { 3 } else { 2 };
         let nm = self.sorted_nm();
         let gaps = nm.windows(2).enumerate();
         let mut wide = gaps.filter(|(_, pair)| pair[1] - pair[0] > GAP_NM);
-        wide.any(|(i, _)| (i + 1).min(nm.len() - i - 1) < 3)
+        wide.any(|(i, _)| (i + 1).min(nm.len() - i - 1) < least)
     }
 
     fn widest_gap(&self) -> f64 {
