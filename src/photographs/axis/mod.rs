@@ -1,11 +1,12 @@
 //! The axis of a photograph: which lamp's lines its peaks are, and how sure that is.
 //!
-//! Axes are suggested by pairs of peaks and landmarks (`search`), refined and scored (`refine`),
-//! and judged (`odds`, `verdict`): found, suggested, or nothing can be said. A wrong axis shown as right is
-//! the one fault that is not allowed.
+//! Axes are suggested by pairs of peaks and landmarks (`search`), refined and scored (`refine`), held
+//! against those beside them (`beside`) and judged (`odds`, `judged`): found, suggested, or nothing
+//! can be said. A wrong axis shown as right is the one fault that is not allowed.
 
+mod beside;
 mod curve;
-mod ends;
+mod judged;
 mod odds;
 mod pins;
 mod refine;
@@ -13,9 +14,10 @@ mod search;
 mod verdict;
 
 pub use curve::{Curve, LeftOut};
+pub use judged::State;
 pub use pins::{Pin, PinError, snapped, through_pins, with_line_at};
 pub use refine::{Match, Solution};
-pub use verdict::{Answer, State, Wanted, find};
+pub use verdict::{Answer, Wanted, find};
 
 use super::peaks::{Peak, Peaks};
 

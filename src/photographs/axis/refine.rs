@@ -98,39 +98,46 @@ pub(super) fn table_for(lamp: Lamp, width_nm: f64) -> &'static Table {
 /// Refines an axis; `None` where too few lines are left.
 pub(super) fn refine(scene: &Scene, start: &Hypothesis) -> Option<Solution> {
     let slope = start.b;
-    let curve = Curve::new(
+    let mut curve = Curve::new(
         scene.columns,
         [start.a, slope, 0.5 * slope * start.rho, 0.0],
     );
-    in_rounds(scene, start.lamp, curve, &TOLERANCES_NM)
-}
-
-/// Refines an axis that is near to the truth already.
-pub(super) fn again(scene: &Scene, lamp: Lamp, curve: Curve) -> Option<Solution> {
-    in_rounds(scene, lamp, curve, &TOLERANCES_NM[3..])
-}
-
-fn in_rounds(
-    scene: &Scene,
-    lamp: Lamp,
-    mut curve: Curve,
-    tolerances_nm: &[f64],
-) -> Option<Solution> {
+    let lamp = start.lamp;
     let table = |curve: &Curve| table_for(lamp, scene.width_nm(curve));
     let mut marks = table(&curve);
-    for (round, tolerance) in tolerances_nm.iter().enumerate() {
+    for (round, tolerance) in TOLERANCES_NM.into_iter().enumerate() {
         if round == 3 {
             marks = table(&curve);
         }
-        let (pairs, _) = assign(scene, &curve, &marks.landmarks, *tolerance, &[]);
-        let points = points(scene, &curve, &marks.landmarks, &pairs);
-        let (better, _) = Curve::fit(&points, scene.columns, curve.c[1], Degree::Quadratic)?;
-        if !better.is_monotone() {
-            return None;
-        }
-        curve = better;
+        curve = nearer(scene, &curve, &marks.landmarks, tolerance)?;
     }
     settle(scene, lamp, curve, &marks.landmarks)
+}
+
+/// Refines an axis that is near to the truth already, with the landmarks of some slit.
+pub(super) fn again(
+    scene: &Scene,
+    lamp: Lamp,
+    mut curve: Curve,
+    landmarks: &[Landmark],
+) -> Option<Solution> {
+    for tolerance in &TOLERANCES_NM[3..] {
+        curve = nearer(scene, &curve, landmarks, *tolerance)?;
+    }
+    settle(scene, lamp, curve, landmarks)
+}
+
+/// The curve through the lines that are within a tolerance.
+fn nearer(
+    scene: &Scene,
+    curve: &Curve,
+    landmarks: &[Landmark],
+    tolerance_nm: f64,
+) -> Option<Curve> {
+    let (pairs, _) = assign(scene, curve, landmarks, tolerance_nm, &[]);
+    let points = points(scene, curve, landmarks, &pairs);
+    let (better, _) = Curve::fit(&points, scene.columns, curve.c[1], Degree::Quadratic)?;
+    better.is_monotone().then_some(better)
 }
 
 /// The final curve and its score: end lines that nothing else speaks for are taken off.

@@ -1,5 +1,6 @@
-//! Axes beside an axis: the same but for its outermost lines, which are others of the lamp's.
+//! Axes beside an axis: the same by the landmarks of another slit, or with other lines at an end.
 //!
+//! Lines that one slit parts another joins, and the width of the lines tells which only nearly.
 //! Beyond the last lines of a crowd a curve is free to bend to the next landmark, and the axes that
 //! pairs of strong peaks suggest need not hold the one that bends to another.
 
@@ -20,11 +21,19 @@ const REACH: f64 = 3.0;
 /// The least and the largest reach, nm.
 const REACH_NM: (f64, f64) = (8.0, 40.0);
 
-/// Axes with other lines at one end.
+/// Slits up to this ratio from the width of the lines may be meant.
+const SLITS: f64 = 1.3;
+
+/// Axes beside one.
 pub(super) fn others(scene: &Scene, of: &Solution) -> Vec<Solution> {
     let count = of.matches.len();
     let most = MOST_LINES.min(count.saturating_sub(LEAST_LEFT));
-    let mut found = Vec::new();
+    let width_nm = scene.width_nm(&of.curve);
+    let may_be = |slit_nm: f64| (slit_nm / width_nm).ln().abs() < SLITS.ln();
+    let tables = of.lamp.tables().iter().filter(|t| may_be(t.slit_nm));
+    let mut found: Vec<Solution> = tables
+        .filter_map(|table| again(scene, of.lamp, of.curve, &table.landmarks))
+        .collect();
     for taken in 1..=most {
         for kept in [taken..count, 0..count - taken] {
             found.extend(with_other_end(scene, of, kept));
@@ -77,7 +86,9 @@ fn with_other_end(scene: &Scene, of: &Solution, kept: Range<usize>) -> Vec<Solut
             });
             let curve = Curve::fit(&points, scene.columns, slope, Degree::Quadratic);
             points.pop();
-            found.extend(curve.and_then(|(curve, _)| again(scene, of.lamp, curve)));
+            found.extend(
+                curve.and_then(|(curve, _)| again(scene, of.lamp, curve, &table.landmarks)),
+            );
         }
     }
     found
