@@ -39,11 +39,9 @@ const STRONG: f64 = 0.3;
 const BEYOND_NM: f64 = 25.0;
 /// A wider gap parts groups of lines, nm.
 const GAP_NM: f64 = 90.0;
-/// Cameras see next to nothing below this wavelength, nm.
+/// Ends of violet and of blue, nm.
 const VIOLET_NM: f64 = 412.0;
-/// Largest height there, as a multiple of what the lamp's line has; lines beside the violet that
-/// were taken for it have six to eight times as much.
-const MOST_VIOLET: f64 = 5.0;
+const BLUE_NM: f64 = 500.0;
 
 /// An axis before its verdict.
 pub(super) struct Judged<'s> {
@@ -274,15 +272,15 @@ impl Judged<'_> {
         })
     }
 
-    /// The wavelength of a line in the violet, where cameras see next to nothing, that is much
-    /// brighter than the lamp's.
+    /// The wavelength of a line in the violet, where cameras see little, that is the brightest of
+    /// all in violet and blue: no lamp's is.
     fn bright_violet(&self) -> Option<f64> {
-        let mut violet = (self.solution.matches.iter()).filter(|m| m.landmark.nm < VIOLET_NM);
-        let height = |m: &Match| self.peaks.peaks[m.peak].height;
-        let found = violet.find(|m| height(m) > MOST_VIOLET * m.landmark.strength);
-        found
-            .filter(|_| !self.solution.lamp.is_dark())
-            .map(|m| m.landmark.nm)
+        let lines = self.solution.matches.iter();
+        let blue = lines.filter(|m| m.landmark.nm < BLUE_NM);
+        let height = |m: &&Match| self.peaks.peaks[m.peak].height;
+        let brightest = blue.max_by(|a, b| height(a).total_cmp(&height(b)))?;
+        let nm = brightest.landmark.nm;
+        (nm < VIOLET_NM && !self.solution.lamp.is_dark()).then_some(nm)
     }
 
     /// A line stands apart at an end, or two where a group may be slipped by one.

@@ -14,6 +14,12 @@ use super::{
 
 /// Rows beside the strip that tell the black level.
 const BLACK_ROWS: usize = 8;
+/// Rows beside the strip that are brighter than it by so much of full, in more than this share of
+/// its columns, show something else than black.
+const BRIGHTER: f64 = 0.02;
+const MOST_BRIGHTER: f64 = 0.05;
+/// Rows whose brightest column has this share of the strip's are of the strip, or of something else.
+const MOST_ALIKE: f64 = 0.5;
 /// A row below this share of the brightness of the middle one is left out.
 const LEAST_BRIGHTNESS: f64 = 0.3;
 /// A column is clipped where more of its rows are at their end.
@@ -35,7 +41,7 @@ pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool, is_one_row: 
         rows_of(strip)
     };
     let rows: Vec<Vec<[f32; 3]>> = places.iter().map(|v| row_of(view, strip, *v)).collect();
-    let seen = black(view, strip);
+    let seen = black(view, strip, &middle_of(&rows));
     let black = match &seen {
         Some(black) => black.clone(),
         None => [0, 1, 2].map(|k| {
@@ -136,8 +142,27 @@ fn noise(channel: &[f64], scatter: &[f64]) -> f64 {
     median(&of_rows).hypot(ALONG * median(&along)).max(1e-6)
 }
 
-/// The light of the rows above and below a strip, the lower of both for each column and channel.
-fn black(view: View<'_>, strip: &Strip) -> Option<[Vec<f64>; 3]> {
+/// The median of rows, for each channel and column.
+fn middle_of(rows: &[Vec<[f32; 3]>]) -> [Vec<f64>; 3] {
+    [0, 1, 2].map(|k| {
+        let of_column = |c: usize| {
+            let all: Vec<f64> = rows.iter().map(|row| f64::from(row[c][k])).collect();
+            median(&all)
+        };
+        (0..rows[0].len()).map(of_column).collect()
+    })
+}
+
+/// The brightest column of all channels together.
+fn brightest([r, g, b]: &[Vec<f64>; 3]) -> f64 {
+    let sums = r.iter().zip(g).zip(b).map(|((r, g), b)| r + g + b);
+    sums.fold(0.0, f64::max)
+}
+
+/// The light of the rows above and below a strip, the lower of both for each column and channel;
+/// `own` is that of its own rows. Words, edges and lamps beside a strip are no black, nor is what a
+/// band by hand leaves of the strip.
+fn black(view: View<'_>, strip: &Strip, own: &[Vec<f64>; 3]) -> Option<[Vec<f64>; 3]> {
     let [_, height] = view.size();
     let edge = strip.half + (0.25 * strip.half).max(2.0);
     let side = |sign: f64| -> Option<[Vec<f64>; 3]> {
@@ -150,17 +175,12 @@ fn black(view: View<'_>, strip: &Strip) -> Option<[Vec<f64>; 3]> {
             return None;
         }
         let rows: Vec<Vec<[f32; 3]>> = rows.iter().map(|v| row_of(view, strip, *v)).collect();
-        Some([0, 1, 2].map(|k| {
-            let column = |c: usize| {
-                median(
-                    &rows
-                        .iter()
-                        .map(|row| f64::from(row[c][k]))
-                        .collect::<Vec<f64>>(),
-                )
-            };
-            (0..strip.columns).map(column).collect()
-        }))
+        let found = middle_of(&rows);
+        let is_bright = |c: &usize| (0..3).any(|k| found[k][*c] > own[k][*c] + BRIGHTER);
+        let bright = (0..strip.columns).filter(is_bright).count();
+        let is_dark = bright as f64 <= MOST_BRIGHTER * strip.columns as f64
+            && brightest(&found) < MOST_ALIKE * brightest(own);
+        is_dark.then_some(found)
     };
     let lower = match (side(-1.0), side(1.0)) {
         (Some(above), Some(below)) => [0, 1, 2].map(|k: usize| {
