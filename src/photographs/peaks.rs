@@ -61,6 +61,8 @@ struct Search {
 
 /// A line of light is wider than this in any picture, columns.
 const NARROWEST: f64 = 1.75;
+/// None is narrower than this share of the picture's lines either: the slit is the same.
+const NARROW: f64 = 0.45;
 /// Most lines that are kept.
 const MOST: usize = 22;
 /// Smoothing before lines are looked for, and what it leaves of the noise.
@@ -159,6 +161,9 @@ fn find(light: &[f64], profile: &Profile, search: &Search, noise: f64) -> Peaks 
     bumps.truncate(MOST);
     let widths: Vec<f64> = bumps.iter().take(8).map(Bump::fwhm).collect();
     let width_px = percentile(&widths, 0.3).max(NARROWEST);
+    let before = bumps.len();
+    bumps.retain(|bump| bump.fwhm() >= NARROW * width_px);
+    hairlines += before - bumps.len();
     let mut peaks: Vec<Peak> = (bumps.iter())
         .map(|bump| peak_of(bump, light, profile, noise, width_px))
         .map(|peak| Peak {

@@ -6,6 +6,7 @@ use super::{
     super::{
         Lamp, Profile,
         axis::{Answer, State, Wanted},
+        peaks::{Peak, bright},
     },
     axis_of, off_at, pins_by_hand, strip_of,
 };
@@ -274,6 +275,30 @@ fn the_blue_line_of_a_fluorescent_lamp_is_kept_where_the_others_foretell_it_badl
         let has_blue = best.lines_nm().any(|nm| (nm - 435.8).abs() < 0.5);
         assert!(answer.state == State::Found && has_blue, "{seed}: {best:?}");
     }
+}
+
+#[test]
+fn a_line_that_is_much_narrower_than_the_others_is_drawn_and_no_light() {
+    let mut dice = Dice::new(4);
+    let mut light = Light::of(Kind::Cfl, &mut dice);
+    let (mut profile, _) = loop {
+        let drawn = drawn_profile(&light, &mut dice);
+        if bright(&drawn.0).width_px > 8.0 {
+            break drawn;
+        }
+        light = Light::of(Kind::Cfl, &mut dice);
+    };
+    let plain = bright(&profile);
+    let at = profile.columns() / 2;
+    for channel in &mut profile.channels {
+        let top = channel.iter().copied().fold(0.0, f64::max);
+        channel[at] += 0.3 * top;
+        channel[at + 1] += 0.3 * top;
+    }
+    let drawn = bright(&profile);
+    let is_new = |p: &Peak| (p.px - at as f64 - 0.5).abs() < 1.0 && p.fwhm_px < 4.0;
+    assert!(!drawn.peaks.iter().any(is_new), "{:?}", drawn.peaks);
+    assert!(drawn.hairlines > plain.hairlines);
 }
 
 #[test]

@@ -1,7 +1,11 @@
-//! One picture in another form: doubled, with loss, without colours.
+//! One picture in another form: doubled, with loss, read in part, without colours.
 
 use super::{
-    super::axis::{State, Wanted},
+    super::{
+        axis::{State, Wanted},
+        picture::{Codes, Picture},
+        strip::{self, ByHand},
+    },
     axis_of, strip_of,
 };
 use crate::core_tests::photographs::{Dice, Kind, Light, Setup, drawn_profile, jpeg_of, picture};
@@ -76,5 +80,60 @@ fn three_lines_without_colours_are_never_found() {
         profile.is_grey = true;
         let (answer, _) = axis_of(&profile, &Wanted::default());
         assert_ne!(answer.state, State::Found, "{seed}: {:?}", answer.best);
+    }
+}
+
+#[test]
+fn a_band_within_a_strip_and_words_beside_it_have_the_same_axis() {
+    for seed in [5, 6, 9] {
+        let mut dice = Dice::new(seed);
+        let light = Light::of(Kind::Cfl, &mut dice);
+        let mut setup = Setup::of([640, 360], &mut dice);
+        (setup.quality, setup.slit_nm) = (None, 2.0);
+        (setup.tilt_deg, setup.is_vertical) = (0.0, false);
+        let drawn = picture(&setup, &light, 0.9, 0.0, &mut dice);
+        let inside = |p: &&[f64; 3]| (440.0..=620.0).contains(&p[0]);
+        let points = drawn.points.iter().filter(inside);
+        let pixels: Vec<[f64; 2]> = points.map(|[_, x, y]| [*x, *y]).collect();
+        let (plain, _) = nm_at(drawn.size, drawn.codes.clone(), &pixels);
+        let strip = strip_of(drawn.size, drawn.codes.clone())
+            .expect("a strip")
+            .strip;
+        let (middle, half) = (strip.centre_y, strip.half);
+        // White letters where the black beside the band is looked for.
+        let mut worded = drawn.codes.clone();
+        for y in 0..drawn.size[1] {
+            let off = (y as f64 - middle).abs() / half;
+            for x in (60..500).filter(|x| (1.15..2.2).contains(&off) && x % 20 < 10) {
+                worded[3 * (y * drawn.size[0] + x)..][..3].fill(255);
+            }
+        }
+        for (codes, share) in [(drawn.codes, 0.4), (worded, 0.9)] {
+            let band = [middle - share * half, middle + share * half];
+            let by_hand = ByHand {
+                is_vertical: Some(false),
+                area: Some([0.0, band[0], 639.0, band[1]]),
+                ..ByHand::default()
+            };
+            let picture = Picture::new(drawn.size, Codes::Eight(codes), false).expect("a picture");
+            let found = strip::find(&picture, &by_hand).expect("a strip");
+            assert!(
+                found.profile.rows > 10,
+                "{seed}: {} rows",
+                found.profile.rows
+            );
+            let (answer, _) = axis_of(&found.profile, &Wanted::default());
+            let best = answer.best.expect("an axis");
+            assert_eq!(
+                answer.state,
+                State::Found,
+                "{seed}, {share}: {:?}",
+                answer.why
+            );
+            for (nm, [x, y]) in plain.iter().zip(&pixels) {
+                let off = best.curve.nm(found.strip.column_of(*x, *y).0) - nm;
+                assert!(off.abs() < 0.5, "{seed}, {share}: {off:.2} at {nm:.0} nm");
+            }
+        }
     }
 }
