@@ -71,7 +71,7 @@ impl Lamp {
         }
     }
 
-    /// By how much an answer must be better than the next one to be used at once.
+    /// By how much an axis must be better than one that is elsewhere to be used at once.
     pub(super) fn least_margin(self) -> f64 {
         match self {
             // Dark lines are many and alike.

@@ -34,7 +34,7 @@ pub struct Peaks {
     pub limit: f64,
     /// The width of a line that is no band.
     pub width_px: f64,
-    /// Narrower than light through a lens can be: drawn lines, which were ignored.
+    /// Narrower than light through the lens and the slit can be: drawn lines, which were ignored.
     pub hairlines: usize,
 }
 
@@ -61,7 +61,7 @@ struct Search {
 
 /// A line of light is wider than this in any picture, columns.
 const NARROWEST: f64 = 1.75;
-/// None is narrower than this share of the picture's lines either: the slit is the same.
+/// Nor is one narrower than this share of the width of the picture's lines: the slit is the same.
 const NARROW: f64 = 0.45;
 /// Most lines that are kept.
 const MOST: usize = 22;
@@ -158,12 +158,12 @@ fn find(light: &[f64], profile: &Profile, search: &Search, noise: f64) -> Peaks 
         }
     }
     bumps.sort_by(|a, b| b.prominence.total_cmp(&a.prominence));
-    bumps.truncate(MOST);
     let widths: Vec<f64> = bumps.iter().take(8).map(Bump::fwhm).collect();
     let width_px = percentile(&widths, 0.3).max(NARROWEST);
     let before = bumps.len();
     bumps.retain(|bump| bump.fwhm() >= NARROW * width_px);
     hairlines += before - bumps.len();
+    bumps.truncate(MOST);
     let mut peaks: Vec<Peak> = (bumps.iter())
         .map(|bump| peak_of(bump, light, profile, noise, width_px))
         .map(|peak| Peak {

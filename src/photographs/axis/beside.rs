@@ -1,8 +1,8 @@
 //! Axes beside an axis: the same by the landmarks of another slit, or with other lines at an end.
 //!
-//! Lines that one slit parts another joins, and the width of the lines tells which only nearly.
-//! Beyond the last lines of a crowd a curve is free to bend to the next landmark, and the axes that
-//! pairs of strong peaks suggest need not hold the one that bends to another.
+//! A wider slit joins lines that a narrower one parts, and the width of the lines tells the slit only
+//! nearly. Beyond its last lines a curve is free to bend to the next landmark, and the axes that pairs
+//! of strong peaks suggest need not hold the one that bends to another.
 
 use std::ops::Range;
 
@@ -14,13 +14,12 @@ use super::{
 
 /// Largest number of outermost lines that are taken for others together.
 const MOST_LINES: usize = 3;
-/// Lines that stay.
+/// Fewest lines that stay.
 const LEAST_LEFT: usize = 3;
 /// Standard deviations of the place within which a landmark may be meant.
 const REACH: f64 = 3.0;
 /// The least and the largest reach, nm.
 const REACH_NM: (f64, f64) = (8.0, 40.0);
-
 /// Slits up to this ratio from the width of the lines may be meant.
 const SLITS: f64 = 1.3;
 

@@ -134,7 +134,7 @@ impl Curve {
         self
     }
 
-    /// The weighted fit through points, and what each point is off by when it is left out.
+    /// The weighted fit through points, and how far one without each point is off it.
     ///
     /// `slope` is about how many nm all columns span: priors are shares of it. `None` where the
     /// points fix no curve.

@@ -273,17 +273,21 @@ impl Judged<'_> {
     }
 
     /// The wavelength of a line in the violet, where cameras see little, that is the brightest of
-    /// all in violet and blue: no lamp's is.
+    /// all in violet and blue: no lamp's is, unless over-exposed.
     fn bright_violet(&self) -> Option<f64> {
         let lines = self.solution.matches.iter();
         let blue = lines.filter(|m| m.landmark.nm < BLUE_NM);
         let height = |m: &&Match| self.peaks.peaks[m.peak].height;
         let brightest = blue.max_by(|a, b| height(a).total_cmp(&height(b)))?;
         let nm = brightest.landmark.nm;
+        if self.peaks.peaks[brightest.peak].is_clipped {
+            return None;
+        }
         (nm < VIOLET_NM && !self.solution.lamp.is_dark()).then_some(nm)
     }
 
-    /// A line stands apart at an end, or two where a group may be slipped by one.
+    /// A line stands apart at an end, or two where a group may be slipped by one. Hydrogen's red
+    /// line always does.
     fn has_lonely_group(&self) -> bool {
         let least = if self.solution.lamp.crowds() { 3 } else { 2 };
         let nm = self.sorted_nm();

@@ -11,9 +11,9 @@ use super::{
 /// 100 nm, and the share of the peaks that are lines.
 ///
 /// By logistic regression of 1,100 right answers and 460 wrong ones, a wrong one counted three
-/// times: the best axes of drawn lamps, and of drawn lamps that no table knows. The error of lines
-/// left out was then weighted by the doubt of their own places alone; weights found anew with it as
-/// it is part right from wrong no better.
+/// times: the best axes of drawn lamps, and of drawn lamps that no table knows. These were found
+/// when the doubt of its own place alone weighted the error of a line left out; weights found anew
+/// part right from wrong no better.
 const WEIGHTS: [f64; 9] = [-29.6, 8.35, 1.5, 15.6, -4.3, -4.0, -0.9, -2.1, 8.0];
 /// Errors beyond this many squared doubts count no more.
 const MOST_ERROR: f64 = 3.0;

@@ -28,6 +28,8 @@ pub struct Answer {
     pub best: Option<Solution>,
     /// The likeliest other one.
     pub runner_up: Option<Solution>,
+    /// The likeliest of another lamp.
+    pub other_lamp: Option<Solution>,
     /// By how much the score is better than the other's.
     pub margin: f64,
     /// Why it was not found, in words.
@@ -40,6 +42,8 @@ const NO_OTHER: f64 = -5.0;
 const SAME_NM: f64 = 4.0;
 /// A single peak of this height is a line and no bump of smooth light.
 const ALONE: f64 = 0.5;
+/// Most rounds in which a better axis is looked for beside the best.
+const MOST_ROUNDS: usize = 4;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
@@ -52,6 +56,7 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
             state: State::Nothing,
             best: None,
             runner_up: None,
+            other_lamp: None,
             margin: 0.0,
             why: Some(no_axis(columns, bright)),
         };
@@ -70,8 +75,10 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
         is_pinned: wanted.lamp.is_some() && wanted.pins.len() > 1,
     };
     let (state, why) = judged.verdict();
+    let is_other = |other: &&Solution| other.lamp != best.lamp;
     Answer {
         state,
+        other_lamp: rivals.iter().find(is_other).cloned(),
         runner_up: rivals.into_iter().next(),
         best: Some(best),
         margin,
@@ -103,13 +110,18 @@ fn axes<'p>(
         all.extend(refined.filter(|axis| counts(&scene, axis)));
     }
     // The best is held against those beside it, and so is what beats it.
-    for _ in 0..2 {
+    let mut held = None;
+    for _ in 0..MOST_ROUNDS {
         all.sort_by(|a, b| b.score.total_cmp(&a.score));
-        let Some(best) = all.first() else { break };
-        if let Some(scene) = scene_of(best.lamp) {
-            let others = beside::others(&scene, best).into_iter();
+        let best = all.first().cloned();
+        let Some(axis) = best.as_ref().filter(|_| best != held) else {
+            break;
+        };
+        if let Some(scene) = scene_of(axis.lamp) {
+            let others = beside::others(&scene, axis).into_iter();
             all.extend(others.filter(|axis| counts(&scene, axis)));
         }
+        held = best;
     }
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     all

@@ -18,7 +18,7 @@ const BLACK_ROWS: usize = 8;
 /// its columns, show something else than black.
 const BRIGHTER: f64 = 0.02;
 const MOST_BRIGHTER: f64 = 0.05;
-/// Rows whose brightest column has this share of the strip's are of the strip, or of something else.
+/// Rows with this share of the strip's contrast or more are of the strip, or of something else.
 const MOST_ALIKE: f64 = 0.5;
 /// A row below this share of the brightness of the middle one is left out.
 const LEAST_BRIGHTNESS: f64 = 0.3;
@@ -153,10 +153,11 @@ fn middle_of(rows: &[Vec<[f32; 3]>]) -> [Vec<f64>; 3] {
     })
 }
 
-/// The brightest column of all channels together.
-fn brightest([r, g, b]: &[Vec<f64>; 3]) -> f64 {
+/// How far the brightest column of all channels together stands out of the middle one.
+fn contrast([r, g, b]: &[Vec<f64>; 3]) -> f64 {
     let sums = r.iter().zip(g).zip(b).map(|((r, g), b)| r + g + b);
-    sums.fold(0.0, f64::max)
+    let sums: Vec<f64> = sums.collect();
+    sums.iter().copied().fold(0.0, f64::max) - median(&sums)
 }
 
 /// The light of the rows above and below a strip, the lower of both for each column and channel;
@@ -179,7 +180,7 @@ fn black(view: View<'_>, strip: &Strip, own: &[Vec<f64>; 3]) -> Option<[Vec<f64>
         let is_bright = |c: &usize| (0..3).any(|k| found[k][*c] > own[k][*c] + BRIGHTER);
         let bright = (0..strip.columns).filter(is_bright).count();
         let is_dark = bright as f64 <= MOST_BRIGHTER * strip.columns as f64
-            && brightest(&found) < MOST_ALIKE * brightest(own);
+            && contrast(&found) < MOST_ALIKE * contrast(own);
         is_dark.then_some(found)
     };
     let lower = match (side(-1.0), side(1.0)) {

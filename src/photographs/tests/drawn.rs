@@ -228,6 +228,7 @@ fn rates_of_pictures(seeds: std::ops::Range<u64>) -> Rates {
             state: State::Nothing,
             best: None,
             runner_up: None,
+            other_lamp: None,
             margin: 0.0,
             why: None,
         };
@@ -280,14 +281,9 @@ fn the_blue_line_of_a_fluorescent_lamp_is_kept_where_the_others_foretell_it_badl
 #[test]
 fn a_line_that_is_much_narrower_than_the_others_is_drawn_and_no_light() {
     let mut dice = Dice::new(4);
-    let mut light = Light::of(Kind::Cfl, &mut dice);
-    let (mut profile, _) = loop {
-        let drawn = drawn_profile(&light, &mut dice);
-        if bright(&drawn.0).width_px > 8.0 {
-            break drawn;
-        }
-        light = Light::of(Kind::Cfl, &mut dice);
-    };
+    let drawn = (0..200).map(|_| drawn_profile(&Light::of(Kind::Cfl, &mut dice), &mut dice).0);
+    let wide = drawn.into_iter().find(|drawn| bright(drawn).width_px > 8.0);
+    let mut profile = wide.expect("a profile of wide lines");
     let plain = bright(&profile);
     let at = profile.columns() / 2;
     for channel in &mut profile.channels {
@@ -363,7 +359,7 @@ fn lamps_of_drawn_profiles_that_are_named_or_pinned_are_found_more_often() {
     }
     println!("named: {told} of {lamps}, {right} right, {far} far; pinned: {on_pins} of {pinned}");
     assert!(right as f64 >= 0.78 * lamps as f64 && far as f64 <= 0.01 * told as f64);
-    assert!(on_pins as f64 >= 0.92 * pinned as f64);
+    assert!(pinned > 4000 && on_pins as f64 >= 0.92 * pinned as f64);
 }
 
 #[test]

@@ -93,10 +93,8 @@ impl PhotographView {
             };
         }
         let answer = found.answer.as_ref().filter(|_| found.is_by_lines());
-        let both = answer.and_then(|a| a.best.as_ref().zip(a.runner_up.as_ref()));
-        if let Some((best, other)) =
-            both.filter(|(best, other)| best.lamp != other.lamp && other.score > 0.0)
-        {
+        let both = answer.and_then(|a| a.best.as_ref().zip(a.other_lamp.as_ref()));
+        if let Some((best, other)) = both.filter(|(_, other)| other.score > 0.0) {
             let (name, scores) = (
                 languages::said(other.lamp.name()),
                 (other.score, best.score),
