@@ -23,7 +23,7 @@ pub(super) const PHOTOGRAPH: Row = row(
     Page::Photograph,
     Place::Picture,
     (later!("Photograph"), "photograph"),
-    "prism",
+    "room",
     later!("A photograph of a spectrum: the lines of a lamp fix its wavelengths."),
 );
 
