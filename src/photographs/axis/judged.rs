@@ -39,6 +39,8 @@ const STRONG: f64 = 0.3;
 const BEYOND_NM: f64 = 25.0;
 /// A wider gap parts groups of lines, nm.
 const GAP_NM: f64 = 90.0;
+/// Least height of a line that is no ripple.
+const SURE: f64 = 0.03;
 /// Ends of violet and of blue, nm.
 const VIOLET_NM: f64 = 412.0;
 const BLUE_NM: f64 = 500.0;
@@ -99,7 +101,8 @@ impl Judged<'_> {
                 least = with_sign(least.to_string())
             ));
         }
-        if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < LEAST_ODDS {
+        let is_likely = self.log_odds() >= LEAST_ODDS && self.has_sure_line();
+        if !self.is_named && !solution.lamp.is_dark() && !is_likely {
             return Some(tr!(
                 "the {lines} lines may fit {name} by chance: set one pin, or name the lamp",
                 lines,
@@ -270,6 +273,17 @@ impl Judged<'_> {
             let is_matched = self.solution.matches.iter().any(|m| m.peak == i);
             (counts && !is_matched).then_some(nm)
         })
+    }
+
+    /// One of the lines is strong, narrow and not over-exposed: an axis does not hang on ripples
+    /// beside bands alone.
+    fn has_sure_line(&self) -> bool {
+        let mut lines = self
+            .solution
+            .matches
+            .iter()
+            .map(|m| self.peaks.peaks[m.peak]);
+        lines.any(|p| p.height >= SURE && !p.is_clipped && !p.is_band)
     }
 
     /// The wavelength of a line in the violet, where cameras see little, that is the brightest of
